@@ -1,0 +1,80 @@
+# What the CMake files share: compile flags, one library per framework layer, assignments found by
+# scanning folders.
+
+add_library(penumbra_flags INTERFACE)
+target_include_directories(penumbra_flags INTERFACE ${PROJECT_SOURCE_DIR}/framework
+                                                    ${PROJECT_SOURCE_DIR}/autograder)
+target_compile_definitions(penumbra_flags INTERFACE PENUMBRA_ROOT="${PROJECT_SOURCE_DIR}"
+                                                    GLM_FORCE_SILENT_WARNINGS)
+if(NOT MSVC)
+  target_compile_options(penumbra_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow=local
+                                                  -ffp-contract=off)
+  if(PENUMBRA_WERROR)
+    target_compile_options(penumbra_flags INTERFACE -Werror)
+  endif()
+endif()
+
+# course_layer(<name> LINKS <targets>): the sources of framework/<name> as an object library, and its
+# *_test.cpp files as one test program. LINKS states the arrows of docs/architecture.md.
+function(course_layer name)
+  cmake_parse_arguments(ARG "" "" "LINKS" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${name}/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "(_test|main|_benchmark)\\.cpp$")
+  add_library(penumbra_${name} OBJECT ${sources})
+  target_link_libraries(penumbra_${name} PUBLIC penumbra_flags ${ARG_LINKS})
+  file(GLOB tests CONFIGURE_DEPENDS ${name}/*_test.cpp)
+  if(tests)
+    add_executable(${name}_test ${tests})
+    target_link_libraries(${name}_test PRIVATE penumbra GTest::gtest GTest::gtest_main)
+    gtest_discover_tests(${name}_test DISCOVERY_MODE PRE_TEST
+                         PROPERTIES TIMEOUT 120 ENVIRONMENT "LP_NUM_THREADS=1")
+  endif()
+endfunction()
+include(GoogleTest)
+
+# A variant is a stack of folders; a later one replaces files of the same name, given/ excepted.
+# course_add_program(<target> <folder> …): the .cpp files of that stack with the framework's main().
+function(course_add_program target)
+  set(chosen "")
+  foreach(folder IN LISTS ARGN)
+    file(GLOB files CONFIGURE_DEPENDS ${folder}/*.cpp)
+    foreach(file IN LISTS files)
+      get_filename_component(name ${file} NAME)
+      list(FILTER chosen EXCLUDE REGEX "/${name}$")
+      list(APPEND chosen ${file})
+    endforeach()
+  endforeach()
+  list(GET ARGN 0 handout)
+  file(GLOB given CONFIGURE_DEPENDS ${handout}/given/*.cpp)
+  add_executable(${target} ${chosen} ${given} ${PENUMBRA_FRAMEWORK}/app/main.cpp)
+  target_include_directories(${target} PRIVATE ${handout}/given ${handout})
+  string(REPLACE ";" "|" layers "${ARGN}")
+  target_compile_definitions(${target} PRIVATE PENUMBRA_LAYERS="${layers}")
+  target_link_libraries(${target} PRIVATE penumbra)
+endfunction()
+set(PENUMBRA_FRAMEWORK ${PROJECT_SOURCE_DIR}/framework)
+
+# Every folder of assignments/ is an assignment; no list names it.
+function(course_add_all_assignments)
+  file(GLOB handouts CONFIGURE_DEPENDS LIST_DIRECTORIES true ${PROJECT_SOURCE_DIR}/assignments/*)
+  foreach(handout IN LISTS handouts)
+    get_filename_component(name ${handout} NAME)
+    if(NOT EXISTS ${handout}/given)
+      continue()
+    endif()
+    course_add_program(${name} ${handout})
+    set(solution ${PROJECT_SOURCE_DIR}/solutions/${name})
+    if(EXISTS ${solution})
+      course_add_program(${name}.solution ${handout} ${solution})
+      file(GLOB mistakes CONFIGURE_DEPENDS LIST_DIRECTORIES true
+           ${PROJECT_SOURCE_DIR}/autograder/${name}/wrong/*)
+      foreach(mistake IN LISTS mistakes)
+        file(GLOB cpp ${mistake}/*.cpp)
+        if(cpp)  # a mistake in GLSL alone runs the solution's program with one more folder
+          get_filename_component(label ${mistake} NAME)
+          course_add_program(${name}.wrong.${label} ${handout} ${solution} ${mistake})
+        endif()
+      endforeach()
+    endif()
+  endforeach()
+endfunction()

@@ -1,0 +1,24 @@
+#include "scene/scene.h"
+
+namespace penumbra {
+
+Box bounds(const Mesh& mesh) {
+    Box box;
+    for (const glm::vec3 p : mesh.positions) box.include(p);
+    return box;
+}
+
+Box bounds(const Scene& scene) {
+    Box box;
+    for (const Mesh& mesh : scene.meshes)
+        for (const glm::vec3 p : mesh.positions) box.include(p);
+    return box;
+}
+
+std::size_t triangleCount(const Scene& scene) {
+    std::size_t count = 0;
+    for (const Mesh& mesh : scene.meshes) count += mesh.triangles.size();
+    return count;
+}
+
+}  // namespace penumbra

@@ -1,0 +1,1 @@
+#include "truth/closed_form.h"

@@ -1,0 +1,1 @@
+#include "truth/ray_tracer.h"

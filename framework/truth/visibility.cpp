@@ -1,0 +1,1 @@
+#include "truth/visibility.h"
