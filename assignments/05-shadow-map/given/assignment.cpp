@@ -1,0 +1,321 @@
+// Williams' shadow map in two passes: depth from the light, then a comparison. [Williams 1978]
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <glm/ext/matrix_clip_space.hpp>
+
+#include "app/assignment.h"
+#include "render/passes.h"
+#include "render/receivers.h"
+#include "scene/gallery.h"
+#include "shadow_map.h"
+
+namespace penumbra {
+
+namespace {
+
+struct ShadowMapBlock {  // shadow_map.glsl
+    glm::mat4 clipFromWorld;
+    glm::mat4 clipPlaneFromWorldPlane;
+    glm::vec2 texelSizeUv;
+    float texelTangent;
+    float depthResolution;
+    float constantBias, slopeBias, normalOffset;
+    int receiverPlane;
+    int filterMode;
+    int padding[3] = {};
+};
+static_assert(offsetof(ShadowMapBlock, clipPlaneFromWorldPlane) == 64 &&
+              offsetof(ShadowMapBlock, texelSizeUv) == 128 && offsetof(ShadowMapBlock, texelTangent) == 136 &&
+              offsetof(ShadowMapBlock, constantBias) == 144 && offsetof(ShadowMapBlock, filterMode) == 160 &&
+              sizeof(ShadowMapBlock) == 176);
+
+struct DepthFormat {
+    GLenum format;
+    float resolution;  // step at depth 1
+};
+constexpr DepthFormat kDepthFormats[] = {{GL_DEPTH_COMPONENT16, 1.0f / 65535.0f},
+                                         {GL_DEPTH_COMPONENT24, 1.0f / 16777215.0f},
+                                         {GL_DEPTH_COMPONENT32F, 0.0f}};
+
+constexpr float kWidestTangent = 6.0f;  // 80.5 degrees: past it a planar map spends its texels on nothing
+
+// The light's view before anything is fitted: the whole scene's bounding box, from a hundredth of its reach.
+struct WholeScene {
+    LightWindow window{1e30f, -1e30f, 1e30f, -1e30f};
+    DepthRange depth;
+};
+
+WholeScene wholeScene(const Scene& scene, const glm::mat4& viewFromWorld) {
+    const Box box = bounds(scene);
+    WholeScene whole;
+    float reach = 0.0f;
+    for (int i = 0; i < 8; ++i) {
+        const glm::vec3 corner(i & 1 ? box.upper.x : box.lower.x, i & 2 ? box.upper.y : box.lower.y,
+                               i & 4 ? box.upper.z : box.lower.z);
+        const glm::vec3 p = viewFromWorld * glm::vec4(corner, 1.0f);
+        reach = std::max(reach, glm::length(p));
+        const auto tangent = [&](float side) {  // a corner beside or behind the light: as wide as the map goes
+            return std::clamp(p.z < 0 ? side / -p.z : std::copysign(kWidestTangent, side), -kWidestTangent, kWidestTangent);
+        };
+        whole.window.left = std::min(whole.window.left, tangent(p.x));
+        whole.window.right = std::max(whole.window.right, tangent(p.x));
+        whole.window.bottom = std::min(whole.window.bottom, tangent(p.y));
+        whole.window.top = std::max(whole.window.top, tangent(p.y));
+    }
+    whole.depth = {0.01f * reach, 1.01f * reach};
+    return whole;
+}
+
+glm::mat4 clipFromView(const LightWindow& w, const DepthRange& d) {
+    const float n = d.nearPlane;
+    return glm::frustum(w.left * n, w.right * n, w.bottom * n, w.top * n, n, d.farPlane);
+}
+
+// A student's frustum may be anything: what no projection can be made of is replaced by the whole scene's.
+bool usable(const LightWindow& w) {
+    return std::isfinite(w.left + w.right + w.bottom + w.top) && w.left < w.right && w.bottom < w.top;
+}
+bool usable(const DepthRange& d) { return std::isfinite(d.farPlane) && 0 < d.nearPlane && d.nearPlane < d.farPlane; }
+
+std::vector<glm::vec3> transformed(std::vector<glm::vec3> points, const glm::mat4& matrix) {
+    for (glm::vec3& p : points) p = matrix * glm::vec4(p, 1.0f);
+    return points;
+}
+
+Image matrixImage(const glm::mat4& m) {
+    Image image(4, 4, 1);
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column) image.at(column, row) = m[column][row];
+    return image;
+}
+
+struct LightFrustum {
+    LightWindow window;
+    DepthRange depth;
+};
+
+LightFrustum lightFrustum(const View& view) {
+    const glm::mat4 viewFromWorld = view.light.viewFromWorld();
+    const WholeScene whole = wholeScene(view.scene, viewFromWorld);
+    LightFrustum frustum{whole.window, whole.depth};
+    const bool fitWindow = view.settings.on("fit_window"), fitDepth = view.settings.on("fit_depth");
+    if (!fitWindow && !fitDepth) return frustum;
+
+    const glm::mat4 cameraClip =
+        view.camera.clipFromView(float(view.size.x) / float(view.size.y)) * view.camera.viewFromWorld();
+    const auto receivers = transformed(visiblePoints(view.scene, cameraClip), viewFromWorld);
+    if (fitWindow)
+        if (const LightWindow window = fitLightWindow(receivers); usable(window)) frustum.window = window;
+    if (fitDepth) {
+        const auto blockers = transformed(
+            visiblePoints(view.scene, clipFromView(frustum.window, whole.depth) * viewFromWorld, Clip::withoutDepth),
+            viewFromWorld);
+        if (const DepthRange depth = fitDepthRange(receivers, blockers); usable(depth)) frustum.depth = depth;
+    }
+    return frustum;
+}
+
+class ShadowMap final : public Assignment {
+public:
+    Scene scene() const override { return loadScene("boxes"); }
+    void settings(Settings& settings) override;
+    void render(const View& view, Frame& frame) override;
+
+    ~ShadowMap() override {
+        if (compareSampler_) glDeleteSamplers(1, &compareSampler_);
+        if (emptyVertexArray_) glDeleteVertexArrays(1, &emptyVertexArray_);
+    }
+
+private:
+    struct Map {
+        Map(int size, GLenum format)
+            : depth({.size = glm::ivec2(size), .format = format, .label = "shadow map"}), framebuffer({.depth = &depth}) {}
+        Texture depth;
+        Framebuffer framebuffer;
+    };
+    struct Gl {  // made when a context is current
+        UniformBuffer<CameraBlock> camera;
+        UniformBuffer<LightBlock> light;
+        UniformBuffer<ShadowMapBlock> map;
+    };
+
+    void prepare(const View& view, const Frame& frame);
+    void lightPass(const View& view);
+    void secondDepthPass(const View& view);
+    void cameraPass(const View& view);
+    void inspect(const View& view);
+    void bindBlocks(const Program& program) const;
+    void bindMap(const Program& program) const;
+    const Map& finalMap(const View& view) const { return view.settings.on("second_depth") ? *midpoint_ : *first_; }
+
+    std::unique_ptr<Gl> gl_;
+    std::unique_ptr<Map> first_, second_, midpoint_;
+    std::unique_ptr<CameraTargets> targets_;
+    Texture coordinates_;
+    Framebuffer coordinatesFramebuffer_;
+    GLuint compareSampler_ = 0;
+    GLuint emptyVertexArray_ = 0;
+    const Map* current_ = nullptr;  // the map that is compared with
+    glm::mat4 lightClipFromWorld_{1.0f};
+};
+
+void ShadowMap::settings(Settings& s) {
+    s.choice({.name = "map_size", .help = "texels along each side of the shadow map", .unit = "texels", .value = 2,
+              .choices = {"256", "512", "1024", "2048", "4096"}});
+    s.choice({.name = "filter", .help = "nearest texel, your 2x2, the hardware's 2x2", .value = 0,
+              .choices = {"off", "2x2", "hardware"}});
+    s.number({.name = "constant_bias", .help = "receiver moved towards the light", .unit = "texels",
+              .minimum = 0, .maximum = 16, .value = 0.25});
+    s.number({.name = "slope_bias", .help = "receiver moved towards the light, times tan of the incidence angle",
+              .unit = "texels", .minimum = 0, .maximum = 8, .value = 0});
+    s.number({.name = "normal_offset", .help = "receiver moved along its normal, times sin of the incidence angle",
+              .unit = "texels", .minimum = 0, .maximum = 8, .value = 0});
+    s.toggle({.name = "receiver_plane", .help = "compare with the receiver's plane at each texel's centre", .value = 1});
+    s.choice({.name = "depth_format", .help = "bits of the shadow map", .value = 2, .choices = {"16", "24", "32f"}});
+    s.toggle({.name = "second_depth", .help = "threshold midway between first and second surface", .value = 0});
+    s.toggle({.name = "fit_window", .help = "light's view fitted to what the camera sees", .value = 1});
+    s.toggle({.name = "fit_depth", .help = "light's near and far planes fitted", .value = 1});
+}
+
+void ShadowMap::prepare(const View& view, const Frame& frame) {
+    if (!gl_) {
+        gl_ = std::make_unique<Gl>();
+        glGenVertexArrays(1, &emptyVertexArray_);
+        glGenSamplers(1, &compareSampler_);
+        for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+            glSamplerParameteri(compareSampler_, wrap, GL_CLAMP_TO_EDGE);
+        for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+            glSamplerParameteri(compareSampler_, filter, GL_LINEAR);
+        glSamplerParameteri(compareSampler_, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+        glSamplerParameteri(compareSampler_, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+    }
+    const int size = 256 << view.settings.index("map_size");
+    const DepthFormat format = kDepthFormats[view.settings.index("depth_format")];
+    const auto fits = [&](const std::unique_ptr<Map>& map) {
+        return map && map->depth.size().x == size && map->depth.format() == format.format;
+    };
+    if (!fits(first_)) first_ = std::make_unique<Map>(size, format.format);
+    if (view.settings.on("second_depth")) {
+        if (!fits(second_)) second_ = std::make_unique<Map>(size, format.format);
+        if (!fits(midpoint_)) midpoint_ = std::make_unique<Map>(size, format.format);
+    }
+    if (!targets_ || !targets_->fits(view.size, frame)) targets_ = std::make_unique<CameraTargets>(view.size, frame);
+    current_ = &finalMap(view);
+
+    const LightFrustum frustum = lightFrustum(view);
+    const LightWindow& w = frustum.window;
+    const glm::mat4 clipFromWorld = clipFromView(w, frustum.depth) * view.light.viewFromWorld();
+    gl_->map.upload({.clipFromWorld = clipFromWorld,
+                     .clipPlaneFromWorldPlane = glm::transpose(glm::inverse(clipFromWorld)),
+                     .texelSizeUv = glm::vec2(1.0f / float(size)),
+                     .texelTangent = std::max(w.right - w.left, w.top - w.bottom) / float(size),
+                     .depthResolution = format.resolution,
+                     .constantBias = view.settings["constant_bias"],
+                     .slopeBias = view.settings["slope_bias"],
+                     .normalOffset = view.settings["normal_offset"],
+                     .receiverPlane = view.settings.index("receiver_plane"),
+                     .filterMode = view.settings.index("filter")});
+    gl_->camera.upload(cameraBlock(view.camera, view.size));
+    gl_->light.upload(lightBlock(view.light));
+    lightClipFromWorld_ = clipFromWorld;
+}
+
+void ShadowMap::bindBlocks(const Program& program) const {
+    gl_->camera.bind(program, "Camera", 0);
+    gl_->light.bind(program, "Light", 1);
+    gl_->map.bind(program, "ShadowMap", 2);
+}
+
+void ShadowMap::bindMap(const Program& program) const {
+    program.use();
+    program.texture("shadowMap", 0, current_->depth);
+    program.texture("shadowMapCompare", 1, current_->depth);
+    glBindSampler(1, compareSampler_);
+}
+
+void ShadowMap::lightPass(const View& view) {
+    const Program& opaque = view.shaders.program("light_pass.vert", "depth.frag");
+    const Program& masked = view.shaders.program("light_pass.vert", "depth_masked.frag");
+    bindBlocks(opaque);
+    bindBlocks(masked);
+    beginOpaquePass();
+    first_->framebuffer.clear(glm::vec4(0), 1.0f);
+    view.gpuScene.drawDepth(opaque, masked);
+}
+
+void ShadowMap::secondDepthPass(const View& view) {
+    const Program& peel = view.shaders.program("light_pass.vert", "second_pass.frag");
+    bindBlocks(peel);
+    peel.use();
+    peel.texture("firstDepth", 0, first_->depth);
+    beginOpaquePass();
+    second_->framebuffer.clear(glm::vec4(0), 1.0f);
+    view.gpuScene.draw(peel);
+
+    const Program& midpoint = view.shaders.program("midpoint.vert", "midpoint.frag");
+    midpoint.use();
+    midpoint.texture("firstDepth", 0, first_->depth);
+    midpoint.texture("secondDepth", 1, second_->depth);
+    glDepthFunc(GL_ALWAYS);
+    midpoint_->framebuffer.bind();
+    glBindVertexArray(emptyVertexArray_);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void ShadowMap::cameraPass(const View& view) {
+    const Program& shade = view.shaders.program("surface.vert", "camera_pass.frag");
+    bindBlocks(shade);
+    bindMap(shade);
+    beginOpaquePass();
+    targets_->clear();
+    view.gpuScene.draw(shade);
+    glBindSampler(1, 0);
+}
+
+void ShadowMap::inspect(const View& view) {
+    const Program& program = view.shaders.program("surface.vert", "inspect.frag");
+    if (coordinates_.id() == 0 || coordinates_.size() != view.size) {
+        coordinates_ = Texture({.size = view.size, .format = GL_RGBA32F, .label = "shadow coordinates"});
+    }
+    // The camera pass left its depth: the same surfaces pass again.
+    coordinatesFramebuffer_ = Framebuffer({.colors = {&coordinates_}, .depth = &targets_->depth});
+    bindBlocks(program);
+    bindMap(program);
+    coordinatesFramebuffer_.clearColor(0, glm::vec4(0));
+    beginOpaquePass();
+    glDepthFunc(GL_LEQUAL);
+    view.gpuScene.draw(program);
+    glBindSampler(1, 0);
+}
+
+void ShadowMap::render(const View& view, Frame& frame) {
+    prepare(view, frame);
+    {
+        auto timing = frame.time("light");
+        lightPass(view);
+    }
+    if (view.settings.on("second_depth")) {
+        auto timing = frame.time("second depth");
+        secondDepthPass(view);
+    }
+    if (frame.wants("color") || frame.wants("visibility") || frame.wants("depth") || frame.wants("shadow_coordinates")) {
+        auto timing = frame.time("camera");
+        cameraPass(view);
+    }
+    if (frame.wants("shadow_coordinates")) {
+        inspect(view);
+        frame.output("shadow_coordinates", coordinates_);
+    }
+    if (frame.wants("color")) frame.output("color", targets_->color);
+    if (frame.wants("visibility")) frame.output("visibility", targets_->visibility);
+    frame.output("depth", targets_->depth);
+    frame.output("shadow_map", current_->depth);
+    frame.output("light_clip_from_world", matrixImage(lightClipFromWorld_));
+}
+
+}  // namespace
+
+std::unique_ptr<Assignment> makeAssignment() { return std::make_unique<ShadowMap>(); }
+
+}  // namespace penumbra

@@ -1,0 +1,133 @@
+#include "app/headless.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+#include "core/frame_file.h"
+#include "core/output_folder.h"
+#include "gl/timer.h"
+#include "render/passes.h"
+#include "scene/gallery.h"
+
+namespace penumbra {
+
+namespace {
+
+std::map<std::string, std::string> glStrings(const Context& context) {
+    return {{"context", context.backend()},
+            {"renderer", context.renderer()},
+            {"version", context.version()},
+            {"vendor", context.vendor()},
+            {"timer", usesTimerQueries() ? "timer queries" : "glFinish and a steady clock"}};
+}
+
+// Depth and other unbounded images are stretched to [0,1] for the eye; the .exr keeps the values.
+Image stretched(const Image& image) {
+    float low = 1e30f, high = -1e30f;
+    for (const float v : image.pixels)
+        if (std::isfinite(v) && v < 1.0f) low = std::min(low, v), high = std::max(high, v);
+    if (high <= low) return image;
+    Image result = image;
+    for (float& v : result.pixels) v = (v - low) / (high - low);
+    return result;
+}
+
+void savePicture(const std::filesystem::path& path, const std::string& name, const Image& image) {
+    const bool depth = name.find("depth") != std::string::npos || name.find("map") != std::string::npos;
+    savePng(path, depth && image.channels == 1 ? stretched(image) : image,
+            name == "color" ? Encoding::srgb : Encoding::linear);
+}
+
+double cpuMilliseconds() { return 1e3 * double(std::clock()) / CLOCKS_PER_SEC; }
+
+double wallMilliseconds() {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+struct Spread {
+    double minimum, median, maximum;
+};
+
+Spread spread(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    return {values.front(), values[values.size() / 2], values.back()};
+}
+
+}  // namespace
+
+void renderToFolder(Session& session, const Context& context, glm::ivec2 size,
+                    const std::optional<std::set<std::string>>& wanted, const std::filesystem::path& out) {
+    const Frame frame = session.render(size, wanted);
+    const auto images = frame.read();
+    throwOnGlErrors();
+    nlohmann::ordered_json json;
+    json["scene"] = session.scene().name;
+    json["size"] = {size.x, size.y};
+    json["triangles"] = triangleCount(session.scene());
+    for (const Setting& s : session.settings().all()) json["settings"][s.name] = Settings::text(s);
+    for (const auto& [pass, ms] : frame.milliseconds()) json["milliseconds"][pass] = ms;
+    for (const auto& [key, value] : glStrings(context)) json["gl"][key] = value;
+    for (const auto& [name, image] : images) {
+        if (const auto bad = nonFiniteCount(image))
+            throw Error(fmt::format("{} of {} values are not finite", bad, image.pixels.size()), "image " + name,
+                        "look for a division by zero or the root of a negative number");
+        json["images"][name] = {image.width, image.height, image.channels};
+    }
+    OutputFolder folder(out);
+    for (const auto& [name, image] : images) {
+        saveExr(folder.file(name + ".exr"), image);
+        savePicture(folder.file(name + ".png"), name, image);
+    }
+    writeText(folder.file("frame.json"), json.dump(2) + "\n");
+    folder.commit();
+}
+
+void renderToFrameFile(Session& session, const Context& context, glm::ivec2 size,
+                       const std::optional<std::set<std::string>>& wanted, const std::filesystem::path& file) {
+    const Frame frame = session.render(size, wanted);
+    FrameFile result{.images = frame.read(), .milliseconds = frame.milliseconds(), .info = glStrings(context)};
+    throwOnGlErrors();
+    saveFrameFile(file, result);
+}
+
+void printBenchmark(Session& session, const Context& context, glm::ivec2 size,
+                    const std::vector<std::string>& scenes, int repetitions) {
+    const auto now = context.software() ? cpuMilliseconds : wallMilliseconds;
+    fmt::print("{} · {} · {}x{} · {} repetitions · {} milliseconds, minimum / median / maximum\n",
+               context.renderer(), context.backend(), size.x, size.y, repetitions,
+               context.software() ? "process CPU" : "wall-clock");
+    fmt::print("{:<20} {:>24} {:>24} {:>24}\n", "scene", "floor", "frame", "frame / floor");
+    for (const std::string& name : scenes) {
+        session.open(loadScene(name));
+        FloorPasses floorPasses(1024);
+        const auto measure = [&](auto&& draw) {
+            glFinish();
+            const double start = now();
+            draw();
+            glFinish();
+            return now() - start;
+        };
+        std::vector<double> floors, frames, ratios;
+        for (int i = -2; i < repetitions; ++i) {  // two rounds to warm up: shaders compile at the first draw
+            const double before = measure([&] { floorPasses.render(session.view(size)); });
+            const double mine = measure([&] { session.render(size, {{"color"}}); });
+            const double after = measure([&] { floorPasses.render(session.view(size)); });
+            if (i < 0) continue;
+            floors.push_back(0.5 * (before + after));
+            frames.push_back(mine);
+            ratios.push_back(mine / floors.back());
+        }
+        const auto text = [](const Spread& s) { return fmt::format("{:.2f} / {:.2f} / {:.2f}", s.minimum, s.median, s.maximum); };
+        fmt::print("{:<20} {:>24} {:>24} {:>24}\n", name, text(spread(floors)), text(spread(frames)), text(spread(ratios)));
+        std::fflush(stdout);
+    }
+    throwOnGlErrors();
+}
+
+}  // namespace penumbra

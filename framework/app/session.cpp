@@ -1,0 +1,51 @@
+#include "app/session.h"
+
+#include <cstdlib>
+
+#include "core/error.h"
+#include "gl/context.h"
+
+namespace penumbra {
+
+namespace fs = std::filesystem;
+
+Session::Session(std::unique_ptr<Assignment> assignment, Layers layers)
+    : assignment_(std::move(assignment)), shaders_(std::move(layers)) {
+    assignment_->settings(settings_);
+}
+
+void Session::open(Scene scene) {
+    EXPECTS(!scene.lights.empty());
+    scene_ = std::move(scene);
+    camera = scene_.camera;
+    light = scene_.lights[0];
+    gpuScene_.reset();  // the old buffers go before the new ones come
+    gpuScene_ = std::make_unique<GpuScene>(scene_);
+}
+
+View Session::view(glm::ivec2 size) const {
+    EXPECTS(gpuScene_);
+    return {scene_, *gpuScene_, camera, light, size, settings_, shaders_};
+}
+
+Frame Session::render(glm::ivec2 size, std::optional<std::set<std::string>> wanted) {
+    Frame frame(std::move(wanted));
+    assignment_->render(view(size), frame);
+    throwOnGlErrors();
+    return frame;
+}
+
+Layers shaderLayers(const std::vector<fs::path>& variant) {
+    EXPECTS(!variant.empty());
+    std::vector<fs::path> folders = {rootFolder() / "framework/shaders"};
+    folders.insert(folders.end(), variant.begin(), variant.end());
+    folders.push_back(variant.front() / "given");
+    return Layers(folders);
+}
+
+fs::path rootFolder() {
+    const char* root = std::getenv("PENUMBRA_ROOT");
+    return root && *root ? root : PENUMBRA_ROOT;
+}
+
+}  // namespace penumbra

@@ -1,0 +1,7 @@
+#include "app/viewer.h"
+
+namespace penumbra {
+
+void runViewer(Session&, Context&) {}
+
+}  // namespace penumbra

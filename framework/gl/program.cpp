@@ -1,0 +1,132 @@
+#include "gl/program.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include "core/error.h"
+
+namespace penumbra {
+
+namespace {
+
+// A shader or program object that goes when compilation fails half-way.
+struct GlObject {
+    GLuint id;
+    void (*destroy)(GLuint);
+    ~GlObject() {
+        if (id) destroy(id);
+    }
+};
+
+std::string infoLog(GLuint id, bool program) {
+    GLint length = 0;
+    (program ? glGetProgramiv : glGetShaderiv)(id, GL_INFO_LOG_LENGTH, &length);
+    std::string log(std::size_t(std::max(length, 1)), '\0');
+    (program ? glGetProgramInfoLog : glGetShaderInfoLog)(id, length, nullptr, log.data());
+    while (!log.empty() && (log.back() == '\0' || log.back() == '\n')) log.pop_back();
+    return log;
+}
+
+void compileStage(GLuint shader, const ShaderSource& source, const std::string& name) {
+    const char* text = source.text.c_str();
+    glShaderSource(shader, 1, &text, nullptr);
+    glCompileShader(shader);
+    GLint ok = 0;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
+    if (!ok) throw Error("shader does not compile", source.translate(infoLog(shader, false)), "fix " + name + " or a chunk it includes; the viewer reloads on save");
+}
+
+}  // namespace
+
+Program::~Program() {
+    if (id_) glDeleteProgram(id_);
+}
+
+void Program::set(const char* name, float value) const {
+    glUniform1f(glGetUniformLocation(id_, name), value);
+}
+void Program::set(const char* name, int value) const {
+    glUniform1i(glGetUniformLocation(id_, name), value);
+}
+void Program::set(const char* name, glm::vec2 value) const {
+    glUniform2fv(glGetUniformLocation(id_, name), 1, glm::value_ptr(value));
+}
+void Program::set(const char* name, glm::vec3 value) const {
+    glUniform3fv(glGetUniformLocation(id_, name), 1, glm::value_ptr(value));
+}
+void Program::set(const char* name, const glm::mat4& value) const {
+    glUniformMatrix4fv(glGetUniformLocation(id_, name), 1, GL_FALSE, glm::value_ptr(value));
+}
+
+void Program::texture(const char* sampler, int unit, const Texture& texture) const {
+    textureId(sampler, unit, texture.id());
+}
+
+void Program::textureId(const char* sampler, int unit, GLuint id) const {
+    set(sampler, unit);
+    glActiveTexture(GL_TEXTURE0 + GLenum(unit));
+    glBindTexture(GL_TEXTURE_2D, id);
+    glActiveTexture(GL_TEXTURE0);
+}
+
+void Program::block(const char* name, int binding) const {
+    const GLuint index = glGetUniformBlockIndex(id_, name);
+    if (index != GL_INVALID_INDEX) glUniformBlockBinding(id_, index, GLuint(binding));
+}
+
+Program& ShaderLibrary::program(const std::string& vertex, const std::string& fragment) {
+    auto& slot = programs_[vertex + "|" + fragment];
+    if (!slot) {
+        auto fresh = std::unique_ptr<Program>(new Program(vertex, fragment));
+        compile(*fresh);
+        slot = std::move(fresh);
+    }
+    return *slot;
+}
+
+void ShaderLibrary::compile(Program& program) {
+    const ShaderSource vertex = loadShader(layers_, program.vertex_);
+    const ShaderSource fragment = loadShader(layers_, program.fragment_);
+    // Stamps first: a file that fails to compile is tried again when it is saved, not at every poll.
+    program.stamps_.clear();
+    for (const auto* source : {&vertex, &fragment})
+        for (const auto& file : source->files)
+            program.stamps_[file] = std::filesystem::last_write_time(file);
+
+    const GlObject vertexShader{glCreateShader(GL_VERTEX_SHADER), glDeleteShader};
+    const GlObject fragmentShader{glCreateShader(GL_FRAGMENT_SHADER), glDeleteShader};
+    compileStage(vertexShader.id, vertex, program.vertex_);
+    compileStage(fragmentShader.id, fragment, program.fragment_);
+    GlObject linked{glCreateProgram(), glDeleteProgram};
+    glAttachShader(linked.id, vertexShader.id);
+    glAttachShader(linked.id, fragmentShader.id);
+    glLinkProgram(linked.id);
+    GLint ok = 0;
+    glGetProgramiv(linked.id, GL_LINK_STATUS, &ok);
+    if (!ok)
+        throw Error("shaders do not link", program.vertex_ + " + " + program.fragment_ + ": " + infoLog(linked.id, true),
+                    "make the outputs of one stage match the inputs of the next");
+    std::swap(program.id_, linked.id);  // the old program goes with `linked`
+}
+
+bool ShaderLibrary::reload() {
+    bool anyNew = false;
+    for (auto& [name, program] : programs_) {
+        bool changed = false;
+        for (const auto& [file, stamp] : program->stamps_) {
+            std::error_code gone;
+            const auto now = std::filesystem::last_write_time(file, gone);
+            changed |= !gone && now != stamp;
+        }
+        if (!changed) continue;
+        try {
+            compile(*program);
+            anyNew = true;
+            error_.clear();
+        } catch (const Error& e) {
+            error_ = e.what();
+        }
+    }
+    return anyNew;
+}
+
+}  // namespace penumbra

@@ -1,0 +1,94 @@
+// Shader programs from a variant's folders, with #include, errors in the student's own lines, and reload.
+//
+//   ShaderLibrary shaders(layers);
+//   Program& shade = shaders.program("camera_pass.vert", "camera_pass.frag");
+//   shade.use();
+//   shade.texture("shadowMap", 0, map);
+//
+// `#include "depth_bias.glsl"` takes the file of that name from the last folder that has one, once.
+// The loader writes `#version 410 core` on top and refuses any other version.
+#pragma once
+
+#include <glad/gl.h>
+
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/layers.h"
+#include "gl/texture.h"
+
+namespace penumbra {
+
+// GLSL text after includes, with the way back from each flattened line to file and line.
+struct ShaderSource {
+    struct Origin {
+        std::filesystem::path file;
+        int line = 0;
+    };
+    std::string text;
+    std::vector<Origin> lines;                  // lines[i] = where flattened line i + 1 came from
+    std::vector<std::filesystem::path> files;   // every file taken
+
+    // Rewrites a driver's log ("0:31(5): error: …") to "pcss.glsl:31: error: …", one line a message.
+    std::string translate(const std::string& log) const;
+};
+
+// Throws Error for a missing file, an include cycle's missing end, or a #version that is not ours.
+ShaderSource loadShader(const Layers& layers, const std::string& name);
+
+class Program {
+public:
+    ~Program();
+    Program(const Program&) = delete;
+    Program& operator=(const Program&) = delete;
+
+    void use() const { glUseProgram(id_); }
+    // Uniforms and blocks that the linker removed are silently left out: a stub may not use them yet.
+    void set(const char* name, float value) const;
+    void set(const char* name, int value) const;
+    void set(const char* name, glm::vec2 value) const;
+    void set(const char* name, glm::vec3 value) const;
+    void set(const char* name, const glm::mat4& value) const;
+    void texture(const char* sampler, int unit, const Texture& texture) const;
+    void textureId(const char* sampler, int unit, GLuint id) const;
+    void block(const char* name, int binding) const;
+
+    GLuint id() const { return id_; }
+
+private:
+    friend class ShaderLibrary;
+    Program(std::string vertex, std::string fragment) : vertex_(std::move(vertex)), fragment_(std::move(fragment)) {}
+
+    GLuint id_ = 0;
+    std::string vertex_, fragment_;
+    std::map<std::filesystem::path, std::filesystem::file_time_type> stamps_;
+};
+
+class ShaderLibrary {
+public:
+    explicit ShaderLibrary(Layers layers) : layers_(std::move(layers)) {}
+
+    // Compiled on first use. Throws Error ("depth_bias.glsl:12: …") when there is no good program yet.
+    Program& program(const std::string& vertex, const std::string& fragment);
+
+    // Compiles programs whose files changed on disk. A program with an error keeps its last good form.
+    // Returns true when at least one program is new. Cheap: looks at time stamps.
+    bool reload();
+
+    // The message of the last reload that failed, "" when all programs are as on disk.
+    const std::string& error() const { return error_; }
+    const Layers& layers() const { return layers_; }
+
+private:
+    void compile(Program& program);
+
+    Layers layers_;
+    std::map<std::string, std::unique_ptr<Program>> programs_;
+    std::string error_;
+};
+
+}  // namespace penumbra

@@ -1,0 +1,48 @@
+// A 2D texture and the way of its pixels to and from an Image.
+//
+//   Texture map({.size = {1024, 1024}, .format = GL_DEPTH_COMPONENT32F, .label = "shadow map"});
+//   Image depth = map.read();   // one channel, row 0 on top
+#pragma once
+
+#include <glad/gl.h>
+
+#include <glm/glm.hpp>
+#include <string>
+
+#include "core/image.h"
+
+namespace penumbra {
+
+struct TextureDescription {
+    glm::ivec2 size{0};              // texels, both > 0
+    GLenum format = GL_RGBA32F;      // R/RG/RGB/RGBA 8, 16F, 32F, SRGB8_ALPHA8, DEPTH_COMPONENT16/24/32F
+    GLenum filter = GL_NEAREST;      // GL_NEAREST or GL_LINEAR, level 0 only
+    GLenum wrap = GL_CLAMP_TO_EDGE;
+    bool compare = false;            // depth formats: sampler2DShadow, lit where reference <= texel
+    std::string label = "";          // named in error messages
+};
+
+class Texture {
+public:
+    Texture() = default;
+    explicit Texture(const TextureDescription& description);
+    ~Texture();
+    Texture(Texture&& other) noexcept;
+    Texture& operator=(Texture&& other) noexcept;
+
+    void upload(const Image& image);                       // same size, channels fit the format
+    void uploadBytes(const unsigned char* rgba);           // 4 bytes a texel, row 0 at v = 0
+    Image read() const;
+
+    GLuint id() const { return id_; }
+    glm::ivec2 size() const { return description_.size; }
+    GLenum format() const { return description_.format; }
+    const std::string& label() const { return description_.label; }
+    bool isDepth() const;
+
+private:
+    GLuint id_ = 0;
+    TextureDescription description_;
+};
+
+}  // namespace penumbra

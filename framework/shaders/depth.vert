@@ -1,0 +1,11 @@
+// Depth only, from whatever view the Camera block holds.
+#include "camera.glsl"
+
+layout(location = 0) in vec3 position;
+layout(location = 2) in vec2 uv;
+out vec2 surfaceUv;
+
+void main() {
+    surfaceUv = uv;
+    gl_Position = camera.clipFromWorld * vec4(position, 1.0);
+}
