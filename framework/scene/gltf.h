@@ -3,11 +3,12 @@
 //   Scene scene = loadGltf("chair.glb");
 //   saveGlb("copy.glb", scene);
 //
-// Read: node hierarchy (flattened to world space), triangles, strips and fans, indexed or not, 8/16/32-bit
-// indices, missing normals (area-weighted averages), several primitives and materials, base colour
-// factors and textures, alpha masks, KHR_lights_punctual (extras.width = full width in metres of a
-// square area light that faces along the node's -Z, edges along its X and Y), cameras. Where a file has
-// no camera or no light, sensible ones are placed. Left out: animation, skins, other extensions.
+// Read: node hierarchy (flattened to world space), triangles, strips and fans, indexed or not,
+// 8/16/32-bit indices, missing normals (area-weighted averages), several primitives and materials,
+// base colour factors and textures, alpha masks, KHR_lights_punctual (extras.width = full width in
+// metres of a square area light that faces along the node's -Z, edges along its X and Y), cameras.
+// Where a file has no camera or no light, sensible ones are placed. Left out: animation, skins,
+// other extensions.
 #pragma once
 
 #include <filesystem>

@@ -13,7 +13,8 @@ Mesh box(glm::vec3 lower, glm::vec3 upper, int material);
 Mesh quad(glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 d, int material);
 // Latitude-longitude sphere with smooth normals; `rings` >= 2, 2 · rings segments around.
 Mesh sphere(glm::vec3 center, float radius, int rings, int material);
-// The square ground of full width `size` around the origin in the plane y = 0, as cells x cells quads.
+// The square ground of full width `size` around the origin in the plane y = 0, as cells x cells
+// quads.
 Mesh ground(float size, int cells, int material);
 // Appends `other` to `mesh`; both with or both without uvs.
 void append(Mesh& mesh, const Mesh& other);
