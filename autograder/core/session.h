@@ -1,0 +1,65 @@
+// One grading run: the variant under test, its scratch folder, frames already rendered, and the
+// record of the check that is running. checks.h speaks to the current session; tests make their
+// own.
+//
+//   Session session(program);            // current until it is destroyed
+//   session.begin("Task1", "Fact"); … session.end();
+#pragma once
+
+#include <chrono>
+#include <deque>
+#include <stdexcept>
+#include <unordered_map>
+
+#include "core/record.h"
+#include "core/runner.h"
+#include "scene/scene.h"
+
+namespace penumbra {
+
+// Stops a check whose frame did not come. The check has already failed with the reason.
+struct NoFrame : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+class Session {
+public:
+    explicit Session(Program program);
+    ~Session();
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+    static Session& current();
+
+    void begin(const std::string& suite, const std::string& name);
+    CheckRecord end();
+    CheckRecord& check() { return check_; }
+
+    // Renders, or gives the frame of an equal request made before. Throws NoFrame for the program's
+    // fault, Error for the grader's own.
+    std::shared_ptr<const FrameFile> render(const RenderRequest& request);
+    std::vector<glm::vec4> evaluate(const EvaluateRequest& request);
+
+    // The path of a .glb that holds `scene`; equal scenes share a file, hence frames.
+    std::string sceneFile(const Scene& scene);
+
+    int runs() const { return runs_; }
+    std::size_t peakBytes() const { return peakBytes_; }
+    const std::filesystem::path& scratch() const { return scratch_.path(); }
+
+private:
+    void account(const RunOutcome& outcome);
+    [[noreturn]] void fail(const std::string& reason, bool graderFault);
+
+    Program program_;
+    ScratchFolder scratch_;
+    std::unordered_map<std::string, RunOutcome> frames_;
+    std::deque<std::string> oldestFirst_;
+    std::size_t cachedBytes_ = 0;
+    CheckRecord check_;
+    std::chrono::steady_clock::time_point start_;
+    int runs_ = 0;
+    int scenes_ = 0;
+    std::size_t peakBytes_ = 0;
+};
+
+}  // namespace penumbra
