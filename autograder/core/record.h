@@ -12,12 +12,12 @@ enum class Verdict { pass, fail, notStarted, graderError };
 
 // One measured thing beside its truth. Pictures are PNG bytes, empty where there is none.
 struct Comparison {
-    std::string subject;    // "visibility", "penumbra width at x = 2"
-    std::string measured;   // "mean |difference| 0.0123"
-    std::string tolerance;  // "at most 0.004"
-    std::string cause;      // why that tolerance and no other
+    std::string subject;         // "visibility", "penumbra width at x = 2"
+    std::string measured = "";   // "mean |difference| 0.0123"
+    std::string tolerance = "";  // "at most 0.004"
+    std::string cause = "";      // why that tolerance and no other
     bool passed = false;
-    std::vector<unsigned char> mine, truth, difference;
+    std::vector<unsigned char> mine = {}, truth = {}, difference = {};
 };
 
 struct CheckRecord {
