@@ -218,8 +218,8 @@ std::uint32_t RayTracer::blockedLanes(const SegmentPacket& packet) const {
     }
     embree::occluded16(valid, state_->scene, rays);
     std::uint32_t blocked = 0;
-    for (int i = 0; i < packet.count; ++i) blocked |= std::uint32_t(rays.tfar[i] < 0.0f) << i;
-    return blocked;
+    for (int i = 0; i < kLanes; ++i) blocked |= std::uint32_t(rays.tfar[i] < 0.0f) << i;
+    return packet.count == kLanes ? blocked : blocked & ((1u << packet.count) - 1u);
 }
 
 void RayTracer::occluded(std::span<const glm::vec3> from, std::span<const glm::vec3> fromNormals,

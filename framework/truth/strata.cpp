@@ -6,18 +6,21 @@
 
 namespace penumbra {
 
-std::vector<Stratum> makeStrata(int count) {
+Strata makeStrata(int count) {
     EXPECTS(count >= 1);
     const int rows = int(std::lround(std::sqrt(double(count))));
-    std::vector<Stratum> strata;
-    strata.reserve(std::size_t(count));
+    Strata strata;
     for (int row = 0; row < rows; ++row) {
         const int begin = int(std::int64_t(count) * row / rows);
         const int end = int(std::int64_t(count) * (row + 1) / rows);
         const double width = 1.0 / (end - begin);
         const double t = double(begin) / count - 0.5, height = double(end - begin) / count;
-        for (int i = 0; i < end - begin; ++i)
-            strata.push_back({float(i * width - 0.5), float(t), float(width), float(height)});
+        for (int i = 0; i < end - begin; ++i) {
+            strata.s.push_back(float(i * width - 0.5));
+            strata.t.push_back(float(t));
+            strata.width.push_back(float(width));
+            strata.height.push_back(float(height));
+        }
     }
     return strata;
 }

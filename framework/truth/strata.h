@@ -10,22 +10,25 @@
 
 namespace penumbra {
 
-// The cell [s, s + width) x [t, t + height) of the square [-1/2, 1/2]².
-struct Stratum {
-    float s, t, width, height;
+// Cell i is [s, s + width) x [t, t + height) of the square [-1/2, 1/2]². Arrays side by side, for
+// SIMD.
+struct Strata {
+    std::vector<float> s, t, width, height;
+
+    std::size_t size() const { return s.size(); }
 };
 
 // round(sqrt(count)) rows whose cell counts differ by one at most; a row is as high as its share of
 // the cells, so that every cell has the same area and one jittered point in each gives an unbiased
 // mean.
-std::vector<Stratum> makeStrata(int count);
+Strata makeStrata(int count);
 
-// PCG's output function on a counter [O'Neill 2014; Jarzynski and Olano 2020]: no state, so a
-// pixel's numbers depend on nothing but pixel, sample and seed.
-inline std::uint32_t pcgHash(std::uint32_t x) {
-    x = x * 747796405u + 2891336453u;
-    x = ((x >> ((x >> 28) + 4u)) ^ x) * 277803737u;
-    return (x >> 22) ^ x;
+// A well mixed hash of a counter [Wellons 2018, lowbias32]: no state, so a pixel's numbers depend
+// on nothing but pixel, sample and seed; fixed shifts, so that compilers make vector code of it.
+inline std::uint32_t mixBits(std::uint32_t x) {
+    x = (x ^ (x >> 16)) * 0x7feb352du;
+    x = (x ^ (x >> 15)) * 0x846ca68bu;
+    return x ^ (x >> 16);
 }
 
 }  // namespace penumbra

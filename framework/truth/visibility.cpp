@@ -1,6 +1,7 @@
 #include "truth/visibility.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "core/error.h"
@@ -38,29 +39,78 @@ struct LightFromReceiver {
         inFront = toPlane > 0.0;
         end = inFront ? 1.0f - std::min(0.5f, offset / float(toPlane)) : 1.0f;
     }
+
+    bool allAboveHorizon() const {
+        return height - 0.5f * (std::abs(heightS) + std::abs(heightT)) > 0.0f;
+    }
 };
 
-// Visibility of one row: one jittered point in each stratum. Full packets of 16, over receivers'
-// borders. The horizon rule: points on or below the facet's plane count as blocked. Rays cannot
-// decide that, since at a convex edge a ray that starts an offset above its facet slips past the
-// edge (light leaks).
+// Random offsets within a cell: 16 bits for each coordinate.
+struct Jitter {
+    float s, t;
+
+    explicit Jitter(std::uint32_t counter) {
+        constexpr float kPerUnit = 1.0f / 65536.0f;
+        const std::uint32_t bits = mixBits(counter);
+        s = (float(int(bits >> 16)) + 0.5f) * kPerUnit;
+        t = (float(int(bits & 0xffffu)) + 0.5f) * kPerUnit;
+    }
+};
+
+// Sixteen samples of one receiver whose horizon cuts none of the light: loops of a fixed length, so
+// that the compiler vectorises them. Returns how many see the light.
+int seenOfSixteen(const RayTracer& tracer, const LightFromReceiver& to, const Strata& strata,
+                  std::size_t first, std::uint32_t counter, SegmentPacket& packet) {
+    constexpr int kLanes = SegmentPacket::kLanes;
+    const float *cellS = &strata.s[first], *cellT = &strata.t[first];
+    const float *width = &strata.width[first], *height = &strata.height[first];
+    float s[kLanes], t[kLanes];
+    for (int i = 0; i < kLanes; ++i) {
+        const Jitter jitter(counter + std::uint32_t(i));
+        s[i] = cellS[i] + width[i] * jitter.s;
+        t[i] = cellT[i] + height[i] * jitter.t;
+    }
+    for (int i = 0; i < kLanes; ++i) packet.fromX[i] = to.start.x;
+    for (int i = 0; i < kLanes; ++i) packet.fromY[i] = to.start.y;
+    for (int i = 0; i < kLanes; ++i) packet.fromZ[i] = to.start.z;
+    for (int i = 0; i < kLanes; ++i)
+        packet.alongX[i] = to.along.x + s[i] * to.alongS.x + t[i] * to.alongT.x;
+    for (int i = 0; i < kLanes; ++i)
+        packet.alongY[i] = to.along.y + s[i] * to.alongS.y + t[i] * to.alongT.y;
+    for (int i = 0; i < kLanes; ++i)
+        packet.alongZ[i] = to.along.z + s[i] * to.alongS.z + t[i] * to.alongT.z;
+    for (int i = 0; i < kLanes; ++i) packet.end[i] = to.end;
+    packet.count = kLanes;
+    return kLanes - std::popcount(tracer.blockedLanes(packet));
+}
+
+// Visibility of one row: one jittered point in each stratum.
+// The horizon rule: points on or below the facet's plane count as blocked. Rays cannot decide that,
+// since at a convex edge a ray that starts an offset above its facet slips past the edge (light
+// leaks).
 void traceRow(const RayTracer& tracer, const Receivers& receivers, const Light& light, int y,
-              std::span<const Stratum> strata, std::uint32_t seed, float* row) {
-    std::vector<std::uint32_t> seen(std::size_t(receivers.width), 0u);
-    SegmentQueue queue(tracer, [&](std::size_t x, bool blocked) { seen[x] += blocked ? 0u : 1u; });
+              const Strata& strata, std::uint32_t seed, float* row) {
+    constexpr std::size_t kLanes = SegmentPacket::kLanes;
+    std::vector<int> seen(std::size_t(receivers.width), 0);
+    SegmentPacket packet;
+    // What does not fill a packet by itself is gathered over the borders of receivers.
+    SegmentQueue queue(tracer, [&](std::size_t x, bool blocked) { seen[x] += blocked ? 0 : 1; });
     const std::size_t first = std::size_t(y) * std::size_t(receivers.width);
-    constexpr float kPerUnit = 1.0f / 65536.0f;  // 16 random bits for each coordinate
     for (std::size_t x = 0; x < seen.size(); ++x) {
         const std::size_t i = first + x;
         if (!receivers.hit[i]) continue;
         const LightFromReceiver to(tracer, receivers.positions[i], receivers.facetNormals[i],
                                    light);
         if (!to.inFront) continue;
-        std::uint32_t counter = pcgHash(std::uint32_t(i) ^ pcgHash(seed));
-        for (const Stratum& cell : strata) {
-            const std::uint32_t bits = pcgHash(counter++);
-            const float s = cell.s + cell.width * (float(bits >> 16) + 0.5f) * kPerUnit;
-            const float t = cell.t + cell.height * (float(bits & 0xffffu) + 0.5f) * kPerUnit;
+        const std::uint32_t counter = mixBits(std::uint32_t(i) ^ mixBits(seed));
+        std::size_t k = 0;
+        if (to.allAboveHorizon())
+            for (; k + kLanes <= strata.size(); k += kLanes)
+                seen[x] += seenOfSixteen(tracer, to, strata, k, counter + std::uint32_t(k), packet);
+        for (; k < strata.size(); ++k) {
+            const Jitter jitter(counter + std::uint32_t(k));
+            const float s = strata.s[k] + strata.width[k] * jitter.s;
+            const float t = strata.t[k] + strata.height[k] * jitter.t;
             if (to.height + s * to.heightS + t * to.heightT <= 0.0f) continue;
             queue.push(x, to.start, to.along + s * to.alongS + t * to.alongT, to.end);
         }
@@ -71,7 +121,7 @@ void traceRow(const RayTracer& tracer, const Receivers& receivers, const Light& 
 }
 
 Image trace(const RayTracer& tracer, const Receivers& receivers, const Light& light,
-            std::span<const Stratum> strata, Progress* progress, std::uint32_t seed) {
+            const Strata& strata, Progress* progress, std::uint32_t seed) {
     Image visibility(receivers.width, receivers.height, 1, 1.0f);
     parallelFor(receivers.height, [&](int y) {
         if (progress && progress->cancelled) return;
@@ -84,8 +134,8 @@ Image trace(const RayTracer& tracer, const Receivers& receivers, const Light& li
 }  // namespace
 
 Image pointVisibility(const RayTracer& tracer, const Receivers& receivers, const Light& light) {
-    const Stratum center{0.0f, 0.0f, 0.0f, 0.0f};
-    return trace(tracer, receivers, light, {&center, 1}, nullptr, 1);
+    const Strata center{{0.0f}, {0.0f}, {0.0f}, {0.0f}};
+    return trace(tracer, receivers, light, center, nullptr, 1);
 }
 
 Image areaVisibility(const RayTracer& tracer, const Receivers& receivers, const Light& light,
