@@ -77,14 +77,29 @@ Chunks splitGlb(std::span<const std::uint8_t> bytes, const std::string& name) {
     return chunks;
 }
 
+// Before parsing, in one sweep: the parser's own callback takes time quadratic in long arrays.
+int nestingDepth(std::span<const std::uint8_t> text) {
+    int depth = 0, deepest = 0;
+    bool quoted = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const std::uint8_t c = text[i];
+        if (quoted && c == '\\')
+            ++i;  // the escaped character
+        else if (c == '"')
+            quoted = !quoted;
+        else if (!quoted && (c == '[' || c == '{'))
+            deepest = std::max(deepest, ++depth);
+        else if (!quoted && (c == ']' || c == '}'))
+            --depth;
+    }
+    return deepest;
+}
+
 nlohmann::json parseJson(std::span<const std::uint8_t> text, const std::string& name) {
-    const auto shallow = [&](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
-        if (depth > kDeepestJson)
-            throw Error("JSON is nested too deep", name, "export the model again");
-        return true;
-    };
+    if (nestingDepth(text) > kDeepestJson)
+        throw Error("JSON is nested too deep", name, "export the model again");
     try {
-        return nlohmann::json::parse(text.begin(), text.end(), shallow);
+        return nlohmann::json::parse(text.begin(), text.end());
     } catch (const nlohmann::json::exception& e) {
         throw Error("not a glTF model", name, printable(e.what()));
     }
