@@ -94,7 +94,7 @@ Scene polygonScene(std::uint64_t seed) {
     for (unsigned i = 2; i < vertices.size(); ++i) blocker.triangles.emplace_back(0u, i, i - 1);
     scene.meshes.push_back(std::move(blocker));
     scene.lights = {overheadLight(kPolygonLightHeight, kPolygonLightWidth)};
-    scene.camera = {.eye = {3.6f, 3.4f, 4.6f}, .target = {-0.3f, 0.0f, -0.4f}, .verticalFov = 0.8f};
+    scene.camera = {.eye = {2.6f, 4.8f, 4.6f}, .target = {-0.1f, 0.0f, 0.1f}, .verticalFov = 0.75f};
     fitDepthRange(scene);
     return scene;
 }

@@ -29,7 +29,7 @@ private:
 Scene emptyScene() {
     Scene scene;
     scene.materials.push_back({.name = "ground", .baseColor = {0.55f, 0.53f, 0.50f}});
-    scene.camera = {.eye = {4.6f, 7.4f, 8.2f}, .target = {0.0f, 0.4f, 0.0f}, .verticalFov = 0.75f};
+    scene.camera = {.eye = {2.4f, 7.9f, 8.2f}, .target = {0.4f, 0.3f, 0.2f}, .verticalFov = 0.70f};
     return scene;
 }
 
@@ -94,8 +94,8 @@ Mesh leaf(glm::vec3 center, Random& random, int material) {
     const glm::vec3 helper = std::abs(normal.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
     const glm::vec3 along = glm::normalize(glm::cross(helper, normal));
     const glm::vec3 across = glm::cross(normal, along);
-    const glm::vec3 a = random.between(0.10f, 0.19f) * along;
-    const glm::vec3 b = random.between(0.06f, 0.13f) * across;
+    const glm::vec3 a = random.between(0.08f, 0.15f) * along;
+    const glm::vec3 b = random.between(0.05f, 0.10f) * across;
     return quad(center - a - b, center + a - b, center + a + b, center - a + b, material);
 }
 
@@ -119,7 +119,7 @@ void fitDepthRange(Scene& scene) {
         nearest = std::min(nearest, depth), farthest = std::max(farthest, depth);
     }
     scene.camera.farPlane = 1.05f * farthest;
-    scene.camera.nearPlane = std::max(0.9f * nearest, scene.camera.farPlane / 200.0f);
+    scene.camera.nearPlane = std::max(0.9f * nearest, scene.camera.farPlane / 25.0f);
 }
 
 Scene boxesScene(std::uint64_t seed) {
@@ -159,7 +159,7 @@ Scene fenceScene(std::uint64_t seed) {
         const float z = vary(row == 0 ? -1.6f : 1.2f, 0.4f);
         for (int post = 0; post < kPosts; ++post) {
             const float along = float(post) / float(kPosts - 1);
-            const float x = -4.6f + 9.2f * along + vary(0.0f, 0.06f);
+            const float x = -3.8f + 7.6f * along + vary(0.0f, 0.06f);
             const float height = 0.5f + 2.3f * along;
             append(posts, box({x - half, 0.0f, z - half}, {x + half, height, z + half}, wood));
         }
@@ -172,7 +172,7 @@ Scene fenceScene(std::uint64_t seed) {
 }
 
 Scene foliageScene(std::uint64_t seed) {
-    constexpr int kLeaves = 2000;
+    constexpr int kLeaves = 2000, kCrowns = 9;
     Random random(seed ^ 0xf011a9eull);
     const Bumps bumps(random);
     Scene scene = emptyScene();
@@ -185,11 +185,18 @@ Scene foliageScene(std::uint64_t seed) {
     add(scene, "ground", std::move(earth));
 
     const int green = addMaterial(scene, "leaf", {0.22f, 0.42f, 0.12f});
+    glm::vec2 crowns[kCrowns];
+    for (glm::vec2& crown : crowns)
+        crown = {random.between(-4.6f, 4.6f), random.between(-4.6f, 4.2f)};
     Mesh leaves;
     leaves.material = green;
     for (int i = 0; i < kLeaves; ++i) {
-        const float x = random.between(-5.5f, 5.5f), z = random.between(-5.5f, 5.5f);
-        const float above = random.between(0.35f, 2.6f);
+        // Trees with clearings between them: lit ground, umbra and penumbra all have their share.
+        const glm::vec2 crown = crowns[i % kCrowns];
+        const float angle = random.between(0.0f, glm::two_pi<float>());
+        const float r = 1.7f * std::sqrt(random.unit());
+        const float x = crown.x + r * std::cos(angle), z = crown.y + r * std::sin(angle);
+        const float above = random.between(0.3f, 1.9f - 0.7f * r);
         append(leaves, leaf({x, bumps.height(x, z) + above, z}, random, green));
     }
     add(scene, "leaves", std::move(leaves));
@@ -216,7 +223,7 @@ Scene stairsScene(std::uint64_t seed) {
     // Blocks on the ground, slabs that float over them and more slabs over those: a receiver under
     // two layers of blockers, far from one and close to the other.
     for (int column = 0; column < 3; ++column) {
-        const float x = 0.4f + 1.7f * float(column) + vary(0.0f, 0.15f);
+        const float x = 0.3f + 1.5f * float(column) + vary(0.0f, 0.15f);
         const float z = (column - 1) * 1.2f + vary(0.0f, 0.3f);
         const float low = vary(0.5f, 0.12f);
         const float middle = low + vary(0.55f, 0.12f), high = middle + vary(0.9f, 0.2f);

@@ -28,7 +28,8 @@ inline constexpr float kStandardLightDistance = 9.3f;
 // At the standard distance from the origin and facing it; azimuth from +x towards +z. Radians.
 Light standardLight(float azimuth, float tilt = 0.4363323f);
 
-// Near and far planes just outside the scene's depth range, near at least a 200th of far.
+// Near and far planes just outside the scene's depth range, near at least a 25th of far (the ground
+// may pass under the camera).
 void fitDepthRange(Scene& scene);
 
 }  // namespace penumbra

@@ -51,14 +51,21 @@ std::vector<glm::vec3> corners(const Box& box) {
     return points;
 }
 
-std::vector<glm::vec3> shadowOnGround(const Box& box, const Light& light) {
+std::vector<glm::vec3> vertices(const Scene& scene) {
+    std::vector<glm::vec3> points;
+    for (const Mesh& mesh : scene.meshes)
+        points.insert(points.end(), mesh.positions.begin(), mesh.positions.end());
+    return points;
+}
+
+std::vector<glm::vec3> shadowOnGround(const std::vector<glm::vec3>& blockers, const Light& light) {
     std::vector<glm::vec3> points;
     for (const glm::vec2 st :
          {glm::vec2(0, 0), {-0.5f, -0.5f}, {-0.5f, 0.5f}, {0.5f, -0.5f}, {0.5f, 0.5f}})
-        for (const glm::vec3 corner : corners(box)) {
+        for (const glm::vec3 blocker : blockers) {
             const glm::vec3 from = light.point(st.x, st.y);
-            EXPECTS(from.y > corner.y);
-            points.push_back(from + (corner - from) * (from.y / (from.y - corner.y)));
+            EXPECTS(from.y > blocker.y);
+            points.push_back(from + (blocker - from) * (from.y / (from.y - blocker.y)));
         }
     return points;
 }
@@ -102,7 +109,7 @@ void stageModel(Scene& scene, const Stage& stage) {
     scene.lights = {light};
 
     std::vector<glm::vec3> seen = corners(box);
-    for (const glm::vec3 p : shadowOnGround(box, light)) seen.push_back(p);
+    for (const glm::vec3 p : shadowOnGround(vertices(scene), light)) seen.push_back(p);
     scene.camera = cameraShowing(seen, glm::normalize(glm::vec3(-0.25f, -0.6f, -0.8f)), 0.6f);
     Box footprint;
     for (const glm::vec3 p : seen) footprint.include(p);

@@ -20,12 +20,13 @@ struct Stage {
 // its shadow is longer); sets camera and light.
 void stageModel(Scene& scene, const Stage& stage);
 
-// Where the corners of `box` cast the shadow of `light` (its centre and corners) on y = 0.
-std::vector<glm::vec3> shadowOnGround(const Box& box, const Light& light);
+// Where points cast the shadow of `light` (its centre and corners) on y = 0.
+std::vector<glm::vec3> shadowOnGround(const std::vector<glm::vec3>& blockers, const Light& light);
 
 // A camera that looks along `forward` with all points in a square view, a tenth of it to spare.
 Camera cameraShowing(const std::vector<glm::vec3>& points, glm::vec3 forward, float verticalFov);
 
 std::vector<glm::vec3> corners(const Box& box);
+std::vector<glm::vec3> vertices(const Scene& scene);
 
 }  // namespace penumbra
