@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.h"
@@ -178,6 +179,8 @@ std::string sceneFile(const Scene& scene) { return Session::current().sceneFile(
 void expectImageNear(const char* subject, const Image& mine, const Image& truth,
                      const ImageTolerance& tolerance, const Image& mask) {
     requireCause(tolerance.cause, subject);
+    if (!std::isfinite(std::min({tolerance.mean, tolerance.maximum, tolerance.outliers})))
+        throw Error("a tolerance bounds nothing", subject, "give .mean, .maximum or .outliers");
     if (nonFiniteCount(truth) > 0 || truth.empty())
         throw Error("the truth has no finite value somewhere", subject, "repair the check");
     if (!mask.empty() &&

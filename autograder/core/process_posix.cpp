@@ -67,16 +67,16 @@ struct Pipe {
 // and relocated builds.
 std::vector<std::string> reducedEnvironment(const Command& command) {
     const std::string folder = command.folder.string();
-    std::vector<std::string> environment = {"PATH=/usr/local/bin:/usr/bin:/bin", "LANG=C.UTF-8",
-                                            "HOME=" + folder, "TMPDIR=" + folder,
-                                            "MESA_SHADER_CACHE_DIR=" + folder + "/cache"};
+    std::vector<std::string> environment = command.environment;  // the first of a name counts
+    environment.insert(environment.end(),
+                       {"PATH=/usr/local/bin:/usr/bin:/bin", "LANG=C.UTF-8", "HOME=" + folder,
+                        "TMPDIR=" + folder, "MESA_SHADER_CACHE_DIR=" + folder + "/cache"});
     for (const char* name :
          {"PENUMBRA_CONTEXT", "LP_NUM_THREADS", "GALLIUM_DRIVER", "LIBGL_ALWAYS_SOFTWARE",
           "EGL_PLATFORM", "__EGL_VENDOR_LIBRARY_FILENAMES", "DISPLAY", "LD_LIBRARY_PATH",
           "DYLD_LIBRARY_PATH", "ASAN_OPTIONS", "UBSAN_OPTIONS", "LSAN_OPTIONS"})
         if (const char* value = std::getenv(name))
             environment.push_back(std::string(name) + "=" + value);
-    environment.insert(environment.end(), command.environment.begin(), command.environment.end());
     return environment;
 }
 

@@ -21,7 +21,7 @@ namespace penumbra {
 
 // What is run: an executable and the folders laid over those it was built with.
 struct Program {
-    std::filesystem::path executable;
+    std::filesystem::path executable = {};
     std::vector<std::filesystem::path> layers = {};
     std::string broken = "";  // it could not be built: "does not compile: depth_bias.cpp:12: …"
 };

@@ -48,6 +48,7 @@ Session& Session::current() {
 
 void Session::begin(const std::string& suite, const std::string& name) {
     check_ = {};
+    stopped_ = false;
     check_.suite = suite, check_.name = name;
     check_.sentence = sentence(suite, name);
     start_ = std::chrono::steady_clock::now();
@@ -62,7 +63,7 @@ CheckRecord Session::end() {
 void Session::fail(const std::string& reason, bool graderFault) {
     if (graderFault)
         throw Error("the program did not run", reason, "repair the machine or the build");
-    check_.verdict = Verdict::fail;
+    stopped_ = true;
     check_.reasons.push_back(reason);
     throw NoFrame(reason);
 }

@@ -33,6 +33,7 @@ public:
     void begin(const std::string& suite, const std::string& name);
     CheckRecord end();
     CheckRecord& check() { return check_; }
+    bool stopped() const { return stopped_; }  // by NoFrame: the check has its reason
 
     // Renders, or gives the frame of an equal request made before. Throws NoFrame for the program's
     // fault, Error for the grader's own.
@@ -56,6 +57,7 @@ private:
     std::deque<std::string> oldestFirst_;
     std::size_t cachedBytes_ = 0;
     CheckRecord check_;
+    bool stopped_ = false;
     std::chrono::steady_clock::time_point start_;
     int runs_ = 0;
     int scenes_ = 0;

@@ -1,0 +1,1 @@
+float gradient(float x) { return x; }  // behave fine
