@@ -23,11 +23,11 @@ vec3 normalOffset(vec3 facet, float cosTheta, float texels, float texelSize) {
 }
 
 // Task 4d · how fast the receiver's own plane changes depth across the map.              README §4, [Isidoro 2006]
-//   worldPlane                plane (n, -n·p) through the receiver, world space
-//   clipPlaneFromWorldPlane   takes planes to light clip space; a point x on the plane has dot(plane, x) = 0
-// Returns (d depth / d u, d depth / d v): a plane stays a plane in (u, v, depth). (0, 0) where the plane is seen
-// edge-on and has no gradient.
-vec2 receiverPlaneGradient(vec4 worldPlane, mat4 clipPlaneFromWorldPlane) {
+//   dx, dy   change of the receiver's (u, v, depth) from this pixel to the next one right, and the next one up:
+//            two directions within its plane
+// Returns (d depth / d u, d depth / d v): a plane in the world stays a plane in (u, v, depth). (0, 0) where the
+// light sees the plane edge-on (dx and dy are parallel in u, v), because there is no gradient.
+vec2 receiverPlaneGradient(vec3 dx, vec3 dy) {
     return vec2(0.0);  // yours
 }
 

@@ -16,7 +16,7 @@
 namespace penumbra {
 
 // `layers`: the variant's folders, '|' between them. Exit code: 0 done, 2 bad input or a failure that one
-// line on stderr explains.
+// line on stderr explains, 69 no OpenGL on this machine.
 int runAssignment(int argc, char** argv, const std::string& layers,
                   std::unique_ptr<Assignment> (*make)());
 

@@ -19,8 +19,9 @@ namespace penumbra {
 
 namespace {
 
-std::map<std::string, std::string> glStrings(const Context& context) {
-    return {{"context", context.backend()},
+std::map<std::string, std::string> infoStrings(Session& session, const Context& context) {
+    return {{"light_model", session.assignment().lightModel() == LightModel::point ? "point" : "square"},
+            {"context", context.backend()},
             {"renderer", context.renderer()},
             {"version", context.version()},
             {"vendor", context.vendor()},
@@ -72,7 +73,7 @@ void renderToFolder(Session& session, const Context& context, glm::ivec2 size,
     json["triangles"] = triangleCount(session.scene());
     for (const Setting& s : session.settings().all()) json["settings"][s.name] = Settings::text(s);
     for (const auto& [pass, ms] : frame.milliseconds()) json["milliseconds"][pass] = ms;
-    for (const auto& [key, value] : glStrings(context)) json["gl"][key] = value;
+    for (const auto& [key, value] : infoStrings(session, context)) json["gl"][key] = value;
     for (const auto& [name, image] : images) {
         if (const auto bad = nonFiniteCount(image))
             throw Error(fmt::format("{} of {} values are not finite", bad, image.pixels.size()), "image " + name,
@@ -91,7 +92,7 @@ void renderToFolder(Session& session, const Context& context, glm::ivec2 size,
 void renderToFrameFile(Session& session, const Context& context, glm::ivec2 size,
                        const std::optional<std::set<std::string>>& wanted, const std::filesystem::path& file) {
     const Frame frame = session.render(size, wanted);
-    FrameFile result{.images = frame.read(), .milliseconds = frame.milliseconds(), .info = glStrings(context)};
+    FrameFile result{.images = frame.read(), .milliseconds = frame.milliseconds(), .info = infoStrings(session, context)};
     throwOnGlErrors();
     saveFrameFile(file, result);
 }

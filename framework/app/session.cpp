@@ -1,9 +1,8 @@
 #include "app/session.h"
 
-#include <cstdlib>
-
 #include "core/error.h"
 #include "gl/context.h"
+#include "scene/gallery.h"
 
 namespace penumbra {
 
@@ -37,15 +36,10 @@ Frame Session::render(glm::ivec2 size, std::optional<std::set<std::string>> want
 
 Layers shaderLayers(const std::vector<fs::path>& variant) {
     EXPECTS(!variant.empty());
-    std::vector<fs::path> folders = {rootFolder() / "framework/shaders"};
+    std::vector<fs::path> folders = {repositoryRoot() / "framework/shaders"};
     folders.insert(folders.end(), variant.begin(), variant.end());
     folders.push_back(variant.front() / "given");
     return Layers(folders);
-}
-
-fs::path rootFolder() {
-    const char* root = std::getenv("PENUMBRA_ROOT");
-    return root && *root ? root : PENUMBRA_ROOT;
 }
 
 }  // namespace penumbra

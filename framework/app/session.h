@@ -48,7 +48,4 @@ private:
 // never replaced.
 Layers shaderLayers(const std::vector<std::filesystem::path>& variant);
 
-// The folder of the checkout: PENUMBRA_ROOT from the environment, else as built.
-std::filesystem::path rootFolder();
-
 }  // namespace penumbra

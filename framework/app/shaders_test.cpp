@@ -13,6 +13,7 @@
 
 #include "app/session.h"
 #include "gl/program.h"
+#include "scene/gallery.h"
 
 namespace penumbra {
 namespace {
@@ -34,13 +35,13 @@ struct Variant {
 
 std::vector<Variant> variants() {
     std::vector<Variant> result;
-    for (const fs::path& handout : foldersIn(rootFolder() / "assignments")) {
+    for (const fs::path& handout : foldersIn(repositoryRoot() / "assignments")) {
         const std::string name = handout.filename().string();
-        const fs::path solution = rootFolder() / "solutions" / name;
+        const fs::path solution = repositoryRoot() / "solutions" / name;
         result.push_back({name, {handout}});
         if (!fs::is_directory(solution)) continue;
         result.push_back({name + " solution", {handout, solution}});
-        for (const fs::path& wrong : foldersIn(rootFolder() / "autograder" / name / "wrong"))
+        for (const fs::path& wrong : foldersIn(repositoryRoot() / "autograder" / name / "wrong"))
             result.push_back({name + " " + wrong.filename().string(), {handout, solution, wrong}});
     }
     return result;

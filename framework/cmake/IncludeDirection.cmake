@@ -1,3 +1,4 @@
+cmake_minimum_required(VERSION 3.25)
 # cmake -DROOT=… -P IncludeDirection.cmake: reads every #include and fails where one goes against the arrows
 # (docs/architecture.md).
 set(core_may "core")

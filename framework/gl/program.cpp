@@ -73,10 +73,13 @@ void Program::block(const char* name, int binding) const {
     if (index != GL_INVALID_INDEX) glUniformBlockBinding(id_, index, GLuint(binding));
 }
 
-Program& ShaderLibrary::program(const std::string& vertex, const std::string& fragment) {
-    auto& slot = programs_[vertex + "|" + fragment];
+Program& ShaderLibrary::program(const std::string& vertex, const std::string& fragment,
+                                const std::vector<std::string>& chunks) {
+    std::string key = vertex + "|" + fragment;
+    for (const std::string& chunk : chunks) key += "|" + chunk;
+    auto& slot = programs_[key];
     if (!slot) {
-        auto fresh = std::unique_ptr<Program>(new Program(vertex, fragment));
+        auto fresh = std::unique_ptr<Program>(new Program(vertex, fragment, chunks));
         compile(*fresh);
         slot = std::move(fresh);
     }
@@ -85,7 +88,7 @@ Program& ShaderLibrary::program(const std::string& vertex, const std::string& fr
 
 void ShaderLibrary::compile(Program& program) {
     const ShaderSource vertex = loadShader(layers_, program.vertex_);
-    const ShaderSource fragment = loadShader(layers_, program.fragment_);
+    const ShaderSource fragment = loadShader(layers_, program.fragment_, program.chunks_);
     // Stamps first: a file that fails to compile is tried again when it is saved, not at every poll.
     program.stamps_.clear();
     for (const auto* source : {&vertex, &fragment})

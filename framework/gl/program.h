@@ -37,8 +37,8 @@ struct ShaderSource {
     std::string translate(const std::string& log) const;
 };
 
-// Throws Error for a missing file, an include cycle's missing end, or a #version that is not ours.
-ShaderSource loadShader(const Layers& layers, const std::string& name);
+// `chunks` follow the entry point's text. Throws Error for a missing file or a #version that is not ours.
+ShaderSource loadShader(const Layers& layers, const std::string& name, const std::vector<std::string>& chunks = {});
 
 class Program {
 public:
@@ -61,10 +61,12 @@ public:
 
 private:
     friend class ShaderLibrary;
-    Program(std::string vertex, std::string fragment) : vertex_(std::move(vertex)), fragment_(std::move(fragment)) {}
+    Program(std::string vertex, std::string fragment, std::vector<std::string> chunks)
+        : vertex_(std::move(vertex)), fragment_(std::move(fragment)), chunks_(std::move(chunks)) {}
 
     GLuint id_ = 0;
     std::string vertex_, fragment_;
+    std::vector<std::string> chunks_;
     std::map<std::filesystem::path, std::filesystem::file_time_type> stamps_;
 };
 
@@ -72,8 +74,10 @@ class ShaderLibrary {
 public:
     explicit ShaderLibrary(Layers layers) : layers_(std::move(layers)) {}
 
-    // Compiled on first use. Throws Error ("depth_bias.glsl:12: …") when there is no good program yet.
-    Program& program(const std::string& vertex, const std::string& fragment);
+    // Compiled on first use. `chunks` give bodies to functions that the fragment shader only declares: how a
+    // setting picks a technique's form. Throws Error ("depth_bias.glsl:12: …") when there is no good program yet.
+    Program& program(const std::string& vertex, const std::string& fragment,
+                     const std::vector<std::string>& chunks = {});
 
     // Compiles programs whose files changed on disk. A program with an error keeps its last good form.
     // Returns true when at least one program is new. Cheap: looks at time stamps.

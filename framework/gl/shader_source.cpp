@@ -47,12 +47,13 @@ void append(const Layers& layers, const std::string& name, const std::string& in
 
 }  // namespace
 
-ShaderSource loadShader(const Layers& layers, const std::string& name) {
+ShaderSource loadShader(const Layers& layers, const std::string& name, const std::vector<std::string>& chunks) {
     ShaderSource source;
     source.text = "#version 410 core\n";
     source.lines.push_back({"", 0});
     std::set<fs::path> taken;
     append(layers, name, "the program's entry point", taken, source);
+    for (const std::string& chunk : chunks) append(layers, chunk, name, taken, source);
     return source;
 }
 

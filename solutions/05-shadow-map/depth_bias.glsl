@@ -9,10 +9,11 @@ vec3 normalOffset(vec3 facet, float cosTheta, float texels, float texelSize) {
     return facet * (texels * texelSize * sqrt(max(1.0 - cosTheta * cosTheta, 0.0)));
 }
 
-vec2 receiverPlaneGradient(vec4 worldPlane, mat4 clipPlaneFromWorldPlane) {
-    // x X + y Y + z Z + w = 0 in normalised device coordinates; u, v and depth halve all three alike.
-    vec4 plane = clipPlaneFromWorldPlane * worldPlane;
-    return plane.z == 0.0 ? vec2(0.0) : -plane.xy / plane.z;
+vec2 receiverPlaneGradient(vec3 dx, vec3 dy) {
+    // Cramer's rule for gradient · dx.xy = dx.z, gradient · dy.xy = dy.z.
+    float determinant = dx.x * dy.y - dx.y * dy.x;
+    vec2 scaled = vec2(dx.z * dy.y - dy.z * dx.y, dy.z * dx.x - dx.z * dy.x);
+    return determinant == 0.0 ? vec2(0.0) : scaled / determinant;
 }
 
 float receiverPlaneBias(vec2 gradient, vec2 texelSizeUv, float radiusTexels) {

@@ -16,19 +16,16 @@ namespace {
 
 struct ShadowMapBlock {  // shadow_map.glsl
     glm::mat4 clipFromWorld;
-    glm::mat4 clipPlaneFromWorldPlane;
+    glm::vec4 lightCenterClip;
     glm::vec2 texelSizeUv;
     float texelTangent;
     float depthResolution;
     float constantBias, slopeBias, normalOffset;
     int receiverPlane;
-    int filterMode;
-    int padding[3] = {};
 };
-static_assert(offsetof(ShadowMapBlock, clipPlaneFromWorldPlane) == 64 &&
-              offsetof(ShadowMapBlock, texelSizeUv) == 128 && offsetof(ShadowMapBlock, texelTangent) == 136 &&
-              offsetof(ShadowMapBlock, constantBias) == 144 && offsetof(ShadowMapBlock, filterMode) == 160 &&
-              sizeof(ShadowMapBlock) == 176);
+static_assert(offsetof(ShadowMapBlock, lightCenterClip) == 64 && offsetof(ShadowMapBlock, texelSizeUv) == 80 &&
+              offsetof(ShadowMapBlock, texelTangent) == 88 && offsetof(ShadowMapBlock, constantBias) == 96 &&
+              offsetof(ShadowMapBlock, receiverPlane) == 108);
 
 struct DepthFormat {
     GLenum format;
@@ -163,10 +160,10 @@ private:
 void ShadowMap::settings(Settings& s) {
     s.choice({.name = "map_size", .help = "texels along each side of the shadow map", .unit = "texels", .value = 2,
               .choices = {"256", "512", "1024", "2048", "4096"}});
-    s.choice({.name = "filter", .help = "nearest texel, your 2x2, the hardware's 2x2", .value = 0,
+    s.choice({.name = "filter", .help = "nearest texel, your 2x2, the hardware's 2x2", .value = 2,
               .choices = {"off", "2x2", "hardware"}});
     s.number({.name = "constant_bias", .help = "receiver moved towards the light", .unit = "texels",
-              .minimum = 0, .maximum = 16, .value = 0.25});
+              .minimum = 0, .maximum = 16, .value = 0});
     s.number({.name = "slope_bias", .help = "receiver moved towards the light, times tan of the incidence angle",
               .unit = "texels", .minimum = 0, .maximum = 8, .value = 0});
     s.number({.name = "normal_offset", .help = "receiver moved along its normal, times sin of the incidence angle",
@@ -207,15 +204,14 @@ void ShadowMap::prepare(const View& view, const Frame& frame) {
     const LightWindow& w = frustum.window;
     const glm::mat4 clipFromWorld = clipFromView(w, frustum.depth) * view.light.viewFromWorld();
     gl_->map.upload({.clipFromWorld = clipFromWorld,
-                     .clipPlaneFromWorldPlane = glm::transpose(glm::inverse(clipFromWorld)),
+                     .lightCenterClip = clipFromWorld * glm::vec4(view.light.center, 1.0f),
                      .texelSizeUv = glm::vec2(1.0f / float(size)),
                      .texelTangent = std::max(w.right - w.left, w.top - w.bottom) / float(size),
                      .depthResolution = format.resolution,
                      .constantBias = view.settings["constant_bias"],
                      .slopeBias = view.settings["slope_bias"],
                      .normalOffset = view.settings["normal_offset"],
-                     .receiverPlane = view.settings.index("receiver_plane"),
-                     .filterMode = view.settings.index("filter")});
+                     .receiverPlane = view.settings.index("receiver_plane")});
     gl_->camera.upload(cameraBlock(view.camera, view.size));
     gl_->light.upload(lightBlock(view.light));
     lightClipFromWorld_ = clipFromWorld;
@@ -264,7 +260,12 @@ void ShadowMap::secondDepthPass(const View& view) {
 }
 
 void ShadowMap::cameraPass(const View& view) {
-    const Program& shade = view.shaders.program("surface.vert", "camera_pass.frag");
+    // A bias that is switched off costs nothing: another chunk behind the same signature.
+    const Settings& s = view.settings;
+    const bool biased = s["constant_bias"] > 0 || s["slope_bias"] > 0 || s["normal_offset"] > 0;
+    const Program& shade = view.shaders.program(
+        "lit_surface.vert", "camera_pass.frag",
+        {"filter_" + s.chosen("filter") + ".glsl", biased ? "bias_on.glsl" : "bias_off.glsl"});
     bindBlocks(shade);
     bindMap(shade);
     beginOpaquePass();
@@ -274,7 +275,7 @@ void ShadowMap::cameraPass(const View& view) {
 }
 
 void ShadowMap::inspect(const View& view) {
-    const Program& program = view.shaders.program("surface.vert", "inspect.frag");
+    const Program& program = view.shaders.program("lit_surface.vert", "inspect.frag");
     if (coordinates_.id() == 0 || coordinates_.size() != view.size) {
         coordinates_ = Texture({.size = view.size, .format = GL_RGBA32F, .label = "shadow coordinates"});
     }

@@ -6,6 +6,7 @@
 in vec3 worldPosition;
 in vec3 vertexNormal;
 in vec2 surfaceUv;
+in vec4 lightClip;
 layout(location = 0) out vec4 color;
 layout(location = 1) out float visibility;
 
@@ -13,6 +14,6 @@ void main() {
     vec4 base = baseColorSample(surfaceUv);
     if (base.a < material.alphaCutoff) discard;
     vec3 facet = facetNormal(worldPosition, camera.eye);
-    visibility = shadowMapVisibility(worldPosition, facet);
+    visibility = shadowMapVisibility(worldPosition, facet, lightClip);
     color = vec4(shade(base.rgb * material.baseColor, worldPosition, vertexNormal, facet, visibility), 1.0);
 }

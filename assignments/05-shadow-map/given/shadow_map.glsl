@@ -1,13 +1,12 @@
 // The shadow map's view and your dials. Twin: ShadowMapBlock in assignment.cpp.
 layout(std140) uniform ShadowMap {
-    mat4 clipFromWorld;            // light clip space
-    mat4 clipPlaneFromWorldPlane;  // inverse transpose of clipFromWorld: takes planes, not points
-    vec2 texelSizeUv;              // 1 / map size
-    float texelTangent;            // width of one texel at distance 1 along the light's axis
-    float depthResolution;         // smallest step of the depth format at depth 1
-    float constantBias;            // [texels]
-    float slopeBias;               // [texels]
-    float normalOffset;            // [texels]
-    int receiverPlane;             // 0 off, 1 on
-    int filterMode;                // 0 nearest texel, 1 your 2x2, 2 the hardware's 2x2
+    mat4 clipFromWorld;     // light clip space
+    vec4 lightCenterClip;   // where the light itself lands in it: w = 0
+    vec2 texelSizeUv;       // 1 / map size
+    float texelTangent;     // width of one texel at distance 1 along the light's axis
+    float depthResolution;  // smallest step of the depth format at depth 1
+    float constantBias;     // [texels]
+    float slopeBias;        // [texels]
+    float normalOffset;     // [texels]
+    int receiverPlane;      // 0 off, 1 on
 } map;
