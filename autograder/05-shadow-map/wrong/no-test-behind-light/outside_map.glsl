@@ -1,0 +1,8 @@
+// Fails: TBD · receivers behind the light are looked up in the map, mirrored
+const float kInsideMap = -1.0;
+
+float visibilityOutsideMap(vec4 lightClip) {
+    vec3 ndc = lightClip.xyz / lightClip.w;
+    bool outside = max(abs(ndc.x), abs(ndc.y)) > 1.0 || ndc.z < -1.0;
+    return outside ? 1.0 : kInsideMap;
+}
