@@ -99,24 +99,24 @@ ImageError compare(const Image& mine, const Image& truth, const Image& mask,
 
 // One line a person can act on: the figures that are bounded, and where the worst pixel is.
 void describe(const ImageError& e, const ImageTolerance& t, Comparison& comparison) {
-    const auto add = [&](double value, double bound, const std::string& name, double scale,
-                         const char* unit) {
+    const auto add = [&](double value, double bound, const std::string& before,
+                         const std::string& after) {
         if (!std::isfinite(bound)) return;
-        const char* comma = comparison.measured.empty() ? "" : ", ";
-        comparison.measured += fmt::format("{}{} {:.3g}{}", comma, name, scale * value, unit);
+        const char* semicolon = comparison.measured.empty() ? "" : "; ";
+        const double scale = after.empty() ? 1 : 100;  // a share is read in per cent
+        comparison.measured += fmt::format("{}{}{:.3g}{}", semicolon, before, scale * value, after);
         comparison.tolerance +=
-            fmt::format("{}{} at most {:.3g}{}", comma, name, scale * bound, unit);
+            fmt::format("{}{}at most {:.3g}{}", semicolon, before, scale * bound, after);
         comparison.passed = comparison.passed && value <= bound;
     };
     comparison.passed = e.count > 0;
-    add(e.mean, t.mean, "mean difference", 1, "");
-    add(e.maximum, t.maximum, "largest difference", 1, "");
-    add(e.outliers, t.outliers, fmt::format("pixels off by more than {:g}", t.outlierDistance), 100,
-        " %");
+    add(e.mean, t.mean, "mean difference ", "");
+    add(e.maximum, t.maximum, "largest difference ", "");
+    add(e.outliers, t.outliers, "",
+        fmt::format(" % of pixels off by more than {:g}", t.outlierDistance));
     if (e.count == 0) comparison.measured = "no pixel to compare";
     if (!comparison.passed && e.maximum > 0)
-        comparison.measured +=
-            fmt::format(" (worst {:.3g} at pixel ({}, {}))", e.maximum, e.x, e.y);
+        comparison.measured += fmt::format("; worst {:.3g} at pixel ({}, {})", e.maximum, e.x, e.y);
 }
 
 const char* symbol(Relation relation) {

@@ -110,14 +110,22 @@ CheckRecord notStarted(const std::string& suite, const std::string& name) {
     return record;
 }
 
-std::string likeness(const Place& place, const Variant& variant, const GradeRecord& grade) {
-    // Where nothing runs, the set of failed checks says nothing.
-    if (variant.studentFolder.empty() || !variant.program.broken.empty()) return "";
+void addLikeness(const Place& place, const Variant& variant, GradeRecord& grade) {
+    if (variant.studentFolder.empty()) return;
     std::set<std::string> failed;
     for (const auto& task : grade.tasks)
-        for (const auto& check : task.checks)
-            if (check.verdict == Verdict::fail) failed.insert(check.suite + "." + check.name);
-    return looksLike(loadMistakes(place.grader() / "wrong"), failed);
+        for (const auto& check : task.checks) {
+            if (check.verdict != Verdict::fail) continue;
+            failed.insert(check.suite + "." + check.name);
+            // Where code does not compile, the set of failed checks says nothing.
+            for (const auto& reason : check.reasons)
+                if (reason.find("does not compile") != std::string::npos) return;
+        }
+    try {
+        grade.looksLike = looksLike(loadMistakes(place.grader() / "wrong"), failed);
+    } catch (const Error& error) {
+        grade.warnings.push_back(error.what());  // a hint that cannot be given costs nobody a grade
+    }
 }
 
 }  // namespace
@@ -191,7 +199,7 @@ GradeRecord gradeVariant(const Place& place, const Variant& variant, const Grade
     }
     if (grade.tasks.empty())
         throw Error("no check matches", "--only " + options.only, "leave it out to see all names");
-    grade.looksLike = likeness(place, variant, grade);
+    addLikeness(place, variant, grade);
     grade.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     grade.runs = session.runs();
     grade.peakBytes = session.peakBytes();

@@ -132,8 +132,8 @@ std::string notesHtml(const GradeRecord& grade) {
     std::string html;
     if (!grade.looksLike.empty())
         html += fmt::format(
-            "<p class=\"note\"><b>Looks like: {}</b>The checks that fail here are those that fail "
-            "with this mistake.</p>\n",
+            "<p class=\"note\"><b>Looks like: {}</b>Most of the checks that fail here fail with "
+            "this mistake, too.</p>\n",
             escaped(grade.looksLike));
     if (exitCode(grade) > 1)
         html +=

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 
 #include "core/error.h"
 
@@ -37,7 +38,10 @@ std::string troubleOf(const ProcessResult& process, const ProcessLimits& limits,
     if (process.end != End::exited) return inWords(process, limits);
     if (process.code != 0) {
         const std::string line = lastLine(process.standardError);
-        return line.empty() ? inWords(process, limits) + " and no message" : line;
+        if (line.empty()) return inWords(process, limits) + " and no message";
+        // "depth_bias.glsl:12: …" says where; say what, too.
+        static const std::regex place(R"(^[\w.-]+\.(glsl|vert|frag|geom):\d+: .*)");
+        return std::regex_match(line, place) ? "shader does not compile: " + line : line;
     }
     return fileExists ? "" : "ended without a frame (exit 0)";
 }
