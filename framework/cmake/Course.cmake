@@ -79,6 +79,45 @@ function(course_add_all_assignments)
   endforeach()
 endfunction()
 
+# <N>.grade from autograder/<N>/checks.cpp, and in a tree with solutions the tests that grade the
+# grader.
+function(course_add_grader name)
+  set(grader ${PROJECT_SOURCE_DIR}/autograder/${name})
+  add_executable(${name}.grade ${PENUMBRA_FRAMEWORK}/../autograder/core/grade_main.cpp
+                               ${grader}/checks.cpp)
+  target_link_libraries(${name}.grade PRIVATE penumbra_autograder)
+  target_compile_definitions(${name}.grade PRIVATE PENUMBRA_BUILD="${CMAKE_BINARY_DIR}"
+                                                   PENUMBRA_ASSIGNMENT="${name}")
+  if(NOT EXISTS ${PROJECT_SOURCE_DIR}/solutions/${name})
+    return()  # a student's tree: the handout is being written, nothing to hold it against
+  endif()
+  set(out ${CMAKE_BINARY_DIR}/grades/${name})
+  add_test(NAME ${name}.hashes COMMAND ${name}.grade --handout-hashes)
+  add_test(NAME ${name}.solution COMMAND ${name}.grade --solution --out ${out}/solution)
+  add_test(NAME ${name}.handout COMMAND ${name}.grade --expect-not-started --out ${out}/handout)
+  # The solution handed in like a student's work: where it holds C++, this builds it on its own.
+  add_test(NAME ${name}.submission COMMAND ${name}.grade --out ${out}/submission
+           --submission ${PROJECT_SOURCE_DIR}/solutions/${name})
+  set(all ${name}.hashes ${name}.solution ${name}.handout ${name}.submission)
+  file(GLOB mistakes CONFIGURE_DEPENDS LIST_DIRECTORIES true ${grader}/wrong/*)
+  foreach(mistake IN LISTS mistakes)
+    get_filename_component(label ${mistake} NAME)
+    add_test(NAME ${name}.wrong.${label}
+             COMMAND ${name}.grade --wrong ${label} --expect-mistake --out ${out}/wrong/${label})
+    list(APPEND all ${name}.wrong.${label})
+  endforeach()
+  set_tests_properties(${all} PROPERTIES TIMEOUT 300 LABELS grader ENVIRONMENT "LP_NUM_THREADS=1")
+endfunction()
+
+function(course_add_all_graders)
+  file(GLOB graders CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/autograder/*/checks.cpp)
+  foreach(grader IN LISTS graders)
+    get_filename_component(folder ${grader} DIRECTORY)
+    get_filename_component(name ${folder} NAME)
+    course_add_grader(${name})
+  endforeach()
+endfunction()
+
 # Every header compiles alone: one generated .cpp each, in a library that nothing links.
 function(course_check_headers_alone)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/framework/*.h
