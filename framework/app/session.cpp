@@ -15,11 +15,11 @@ Session::Session(std::unique_ptr<Assignment> assignment, Layers layers)
 
 void Session::open(Scene scene) {
     EXPECTS(!scene.lights.empty());
+    auto gpuScene = std::make_unique<GpuScene>(scene);  // if it throws, the old scene stays
     scene_ = std::move(scene);
+    gpuScene_ = std::move(gpuScene);
     camera = scene_.camera;
     light = scene_.lights[0];
-    gpuScene_.reset();  // the old buffers go before the new ones come
-    gpuScene_ = std::make_unique<GpuScene>(scene_);
 }
 
 View Session::view(glm::ivec2 size) const {

@@ -18,11 +18,12 @@ namespace penumbra {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-Progress::Progress(std::string label, long total)
+Progress::Progress(std::string label, long total, bool quiet)
     : label_(std::move(label)),
       total_(std::max(total, 1L)),
       start_(Clock::now()),
       lastDraw_(start_),
+      quiet_(quiet),
       terminal_(isatty(fileno(stderr)) != 0) {}
 
 Progress::~Progress() {
@@ -33,6 +34,7 @@ double Progress::fraction() const { return std::min(1.0, double(done_) / double(
 
 void Progress::advance(long steps) {
     done_ += steps;
+    if (quiet_) return;
     const std::unique_lock lock(drawing_, std::try_to_lock);
     const auto now = Clock::now();
     if (!lock.owns_lock() || now - start_ < 500ms || now - lastDraw_ < 100ms) return;

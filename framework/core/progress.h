@@ -1,5 +1,6 @@
 // A progress bar on stderr for work that a person waits for: a live bar on a terminal, a line for
-// every tenth part in a log file, nothing for work that ends within half a second.
+// every tenth part in a log file, nothing for work that ends within half a second. A quiet one draws
+// nothing: the viewer shows fraction() itself.
 //
 //   Progress progress("tracing", rows);
 //   … progress.advance();   // from any thread
@@ -14,7 +15,7 @@ namespace penumbra {
 
 class Progress {
 public:
-    Progress(std::string label, long total);
+    Progress(std::string label, long total, bool quiet = false);
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
@@ -35,6 +36,7 @@ private:
     std::chrono::steady_clock::time_point start_;
     std::chrono::steady_clock::time_point lastDraw_;
     int lastTenth_ = 0;
+    bool quiet_ = false;
     bool terminal_ = false;
     bool drawn_ = false;
 };

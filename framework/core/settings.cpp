@@ -43,6 +43,7 @@ double parse(const Setting& s, std::string_view text) {
 
 void Settings::declare(Setting setting, Setting::Kind kind) {
     setting.kind = kind;
+    setting.initial = setting.value;
     if (kind == Setting::Kind::toggle) setting.minimum = 0, setting.maximum = 1;
     if (kind == Setting::Kind::choice)
         setting.minimum = 0, setting.maximum = double(setting.choices.size()) - 1;

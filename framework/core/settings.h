@@ -24,6 +24,7 @@ struct Setting {
     double value = 0.0;                // the default, then the current value; index for a choice
     std::vector<std::string> choices = {};
     Kind kind = Kind::number;          // set by the declaring call
+    double initial = 0.0;              // likewise: the declared value, what a reset goes back to
 };
 
 class Settings {

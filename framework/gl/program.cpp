@@ -1,6 +1,8 @@
 #include "gl/program.h"
 
+#include <algorithm>
 #include <glm/gtc/type_ptr.hpp>
+#include <utility>
 
 #include "core/error.h"
 
@@ -32,7 +34,28 @@ void compileStage(GLuint shader, const ShaderSource& source, const std::string& 
     glCompileShader(shader);
     GLint ok = 0;
     glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
-    if (!ok) throw Error("shader does not compile", source.translate(infoLog(shader, false)), "fix " + name + " or a chunk it includes; the viewer reloads on save");
+    if (!ok)
+        throw Error("shader does not compile", source.translate(infoLog(shader, false)),
+                    "fix " + name + " or a chunk it includes; the viewer reloads on save");
+}
+
+GLuint link(const std::string& vertexName, const ShaderSource& vertex,
+            const std::string& fragmentName, const ShaderSource& fragment) {
+    const GlObject vertexShader{glCreateShader(GL_VERTEX_SHADER), glDeleteShader};
+    const GlObject fragmentShader{glCreateShader(GL_FRAGMENT_SHADER), glDeleteShader};
+    compileStage(vertexShader.id, vertex, vertexName);
+    compileStage(fragmentShader.id, fragment, fragmentName);
+    GlObject linked{glCreateProgram(), glDeleteProgram};
+    glAttachShader(linked.id, vertexShader.id);
+    glAttachShader(linked.id, fragmentShader.id);
+    glLinkProgram(linked.id);
+    GLint ok = 0;
+    glGetProgramiv(linked.id, GL_LINK_STATUS, &ok);
+    if (!ok)
+        throw Error("shaders do not link",
+                    vertexName + " + " + fragmentName + ": " + infoLog(linked.id, true),
+                    "make the outputs of one stage match the inputs of the next");
+    return std::exchange(linked.id, 0);
 }
 
 }  // namespace
@@ -79,57 +102,53 @@ Program& ShaderLibrary::program(const std::string& vertex, const std::string& fr
     for (const std::string& chunk : chunks) key += "|" + chunk;
     auto& slot = programs_[key];
     if (!slot) {
-        auto fresh = std::unique_ptr<Program>(new Program(vertex, fragment, chunks));
-        compile(*fresh);
-        slot = std::move(fresh);
+        slot.reset(new Program(vertex, fragment, chunks));
+        compile(*slot);
     }
+    if (!slot->id_) throw *slot->error_;
     return *slot;
 }
 
-void ShaderLibrary::compile(Program& program) {
-    const ShaderSource vertex = loadShader(layers_, program.vertex_);
-    const ShaderSource fragment = loadShader(layers_, program.fragment_, program.chunks_);
-    // Stamps first: a file that fails to compile is tried again when it is saved, not at every poll.
-    program.stamps_.clear();
-    for (const auto* source : {&vertex, &fragment})
-        for (const auto& file : source->files)
-            program.stamps_[file] = std::filesystem::last_write_time(file);
+bool ShaderLibrary::compile(Program& program) {
+    ShaderSource vertex, fragment;
+    try {
+        loadShader(layers_, program.vertex_, {}, vertex);
+        loadShader(layers_, program.fragment_, program.chunks_, fragment);
+        GlObject linked{link(program.vertex_, vertex, program.fragment_, fragment),
+                        glDeleteProgram};
+        std::swap(program.id_, linked.id);  // the old program goes with `linked`
+        program.error_.reset();
+    } catch (const Error& e) {
+        program.error_ = e;
+    }
+    // Those of a failed attempt too: it is tried again when a file is saved, not at every poll.
+    program.files_ = std::move(vertex.files);
+    program.files_.merge(fragment.files);
+    return !program.error_;
+}
 
-    const GlObject vertexShader{glCreateShader(GL_VERTEX_SHADER), glDeleteShader};
-    const GlObject fragmentShader{glCreateShader(GL_FRAGMENT_SHADER), glDeleteShader};
-    compileStage(vertexShader.id, vertex, program.vertex_);
-    compileStage(fragmentShader.id, fragment, program.fragment_);
-    GlObject linked{glCreateProgram(), glDeleteProgram};
-    glAttachShader(linked.id, vertexShader.id);
-    glAttachShader(linked.id, fragmentShader.id);
-    glLinkProgram(linked.id);
-    GLint ok = 0;
-    glGetProgramiv(linked.id, GL_LINK_STATUS, &ok);
-    if (!ok)
-        throw Error("shaders do not link", program.vertex_ + " + " + program.fragment_ + ": " + infoLog(linked.id, true),
-                    "make the outputs of one stage match the inputs of the next");
-    std::swap(program.id_, linked.id);  // the old program goes with `linked`
+bool ShaderLibrary::changedOnDisk(const Program& program) const {
+    for (const auto& [name, file] : program.files_) {
+        const auto place = layers_.find(name);
+        if (!place) continue;  // none for a moment while an editor replaces the file
+        std::error_code gone;
+        const auto stamp = std::filesystem::last_write_time(*place, gone);
+        if (!gone && (*place != file.path || stamp != file.stamp)) return true;
+    }
+    return false;
 }
 
 bool ShaderLibrary::reload() {
     bool anyNew = false;
-    for (auto& [name, program] : programs_) {
-        bool changed = false;
-        for (const auto& [file, stamp] : program->stamps_) {
-            std::error_code gone;
-            const auto now = std::filesystem::last_write_time(file, gone);
-            changed |= !gone && now != stamp;
-        }
-        if (!changed) continue;
-        try {
-            compile(*program);
-            anyNew = true;
-            error_.clear();
-        } catch (const Error& e) {
-            error_ = e.what();
-        }
-    }
+    for (auto& [name, program] : programs_)
+        if (changedOnDisk(*program)) anyNew |= compile(*program);
     return anyNew;
+}
+
+std::string ShaderLibrary::error() const {
+    for (const auto& [name, program] : programs_)
+        if (program->error_) return program->error_->what();
+    return "";
 }
 
 }  // namespace penumbra

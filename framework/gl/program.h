@@ -1,4 +1,5 @@
-// Shader programs from a variant's folders, with #include, errors in the student's own lines, and reload.
+// Shader programs from a variant's folders, with #include, errors in the student's own lines, and
+// reload.
 //
 //   ShaderLibrary shaders(layers);
 //   Program& shade = shaders.program("camera_pass.vert", "camera_pass.frag");
@@ -15,9 +16,11 @@
 #include <glm/glm.hpp>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/error.h"
 #include "core/layers.h"
 #include "gl/texture.h"
 
@@ -29,16 +32,26 @@ struct ShaderSource {
         std::filesystem::path file;
         int line = 0;
     };
+    struct File {
+        std::filesystem::path path;             // empty: there was none of that name
+        std::filesystem::file_time_type stamp;  // from before it was read: a later save is seen
+    };
     std::string text;
-    std::vector<Origin> lines;                  // lines[i] = where flattened line i + 1 came from
-    std::vector<std::filesystem::path> files;   // every file taken
+    std::vector<Origin> lines;          // lines[i] = where flattened line i + 1 came from
+    std::map<std::string, File> files;  // every file taken, by the name that asked for it
 
-    // Rewrites a driver's log ("0:31(5): error: …") to "pcss.glsl:31: error: …", one line a message.
+    // Rewrites a driver's log ("0:31(5): error: …") to "pcss.glsl:31: error: …", one line a
+    // message.
     std::string translate(const std::string& log) const;
 };
 
-// `chunks` follow the entry point's text. Throws Error for a missing file or a #version that is not ours.
-ShaderSource loadShader(const Layers& layers, const std::string& name, const std::vector<std::string>& chunks = {});
+// `chunks` follow the entry point's text. Throws Error for a missing file or a #version that is not
+// ours.
+ShaderSource loadShader(const Layers& layers, const std::string& name,
+                        const std::vector<std::string>& chunks = {});
+// The same into `source`, whose `files` name what was looked for even when it throws.
+void loadShader(const Layers& layers, const std::string& name,
+                const std::vector<std::string>& chunks, ShaderSource& source);
 
 class Program {
 public:
@@ -47,7 +60,8 @@ public:
     Program& operator=(const Program&) = delete;
 
     void use() const { glUseProgram(id_); }
-    // Uniforms and blocks that the linker removed are silently left out: a stub may not use them yet.
+    // Uniforms and blocks that the linker removed are silently left out: a stub may not use them
+    // yet.
     void set(const char* name, float value) const;
     void set(const char* name, int value) const;
     void set(const char* name, glm::vec2 value) const;
@@ -64,35 +78,37 @@ private:
     Program(std::string vertex, std::string fragment, std::vector<std::string> chunks)
         : vertex_(std::move(vertex)), fragment_(std::move(fragment)), chunks_(std::move(chunks)) {}
 
-    GLuint id_ = 0;
+    GLuint id_ = 0;  // 0: there was no good form yet
     std::string vertex_, fragment_;
     std::vector<std::string> chunks_;
-    std::map<std::filesystem::path, std::filesystem::file_time_type> stamps_;
+    std::map<std::string, ShaderSource::File> files_;  // as of the last attempt, good or not
+    std::optional<Error> error_;                       // of the last attempt; none = good
 };
 
 class ShaderLibrary {
 public:
     explicit ShaderLibrary(Layers layers) : layers_(std::move(layers)) {}
 
-    // Compiled on first use. `chunks` give bodies to functions that the fragment shader only declares: how a
-    // setting picks a technique's form. Throws Error ("depth_bias.glsl:12: …") when there is no good program yet.
+    // Compiled on first use. `chunks` give bodies to functions that the fragment shader only
+    // declares: how a setting picks a technique's form. Throws Error ("depth_bias.glsl:12: …") as
+    // long as there is no good program.
     Program& program(const std::string& vertex, const std::string& fragment,
                      const std::vector<std::string>& chunks = {});
 
-    // Compiles programs whose files changed on disk. A program with an error keeps its last good form.
-    // Returns true when at least one program is new. Cheap: looks at time stamps.
+    // Compiles programs whose files changed on disk. A program with an error keeps its last good
+    // form. Returns true when at least one program is new. Cheap: looks at time stamps.
     bool reload();
 
-    // The message of the last reload that failed, "" when all programs are as on disk.
-    const std::string& error() const { return error_; }
+    // The message of the first program that is not as on disk, "" when all are.
+    std::string error() const;
     const Layers& layers() const { return layers_; }
 
 private:
-    void compile(Program& program);
+    bool compile(Program& program);  // false: program.error_ says why
+    bool changedOnDisk(const Program& program) const;
 
     Layers layers_;
     std::map<std::string, std::unique_ptr<Program>> programs_;
-    std::string error_;
 };
 
 }  // namespace penumbra
