@@ -1,0 +1,23 @@
+// Keys that the window itself takes, collected between two frames; not those typed into a text
+// field.
+#pragma once
+
+#include <vector>
+
+struct GLFWwindow;
+
+namespace penumbra {
+
+class ViewerKeys {
+public:
+    explicit ViewerKeys(GLFWwindow* window);  // before Ui: its callback calls this one
+    ViewerKeys(const ViewerKeys&) = delete;
+    ViewerKeys& operator=(const ViewerKeys&) = delete;
+
+    std::vector<int> take();  // GLFW_KEY_…, pressed since the last call
+
+private:
+    std::vector<int> pressed_;
+};
+
+}  // namespace penumbra
