@@ -161,6 +161,8 @@ void PictureArea::draw(ViewerState& state, const Ui& ui, const Pictures& picture
         state.view != PictureView::picture && state.view != PictureView::visibility;
     if (needsTruth && !pictures.hasTruth())
         label(list, {area.lower.x + kMargin, area.lower.y + 12}, state.truthNote);
+    if (state.view == PictureView::difference && pictures.hasTruth())
+        label(list, {area.lower.x + kMargin, area.lower.y + 12}, "mine minus truth: red too light, blue too dark");
     drawInset(list, state, pictures, area);
     if (!state.overlay.empty()) drawOverlay(list, state, ui, area);
     ImGui::End();

@@ -1,0 +1,96 @@
+#!/usr/bin/env bash
+# The window, driven by a mouse and a keyboard on a virtual screen: a slider changes its setting and the
+# picture, a broken shader shows an overlay that goes when it is mended, keys choose views and save the
+# window.
+#
+#   viewer_test.sh PROGRAM SHADER   SHADER: a .glsl file of the student's that the program uses
+#
+# Exit code 77: skipped. Waits for lines of PENUMBRA_UI_LOG, never for a time.
+set -u
+program=$1 shader=$2
+for tool in Xvfb xdotool; do
+    command -v $tool > /dev/null || { echo "SKIP: $tool is not installed"; exit 77; }
+done
+
+folder=$(mktemp -d)
+log=$folder/log
+screen=0 window=0
+finish() {
+    for pid in $window $screen; do [ "$pid" != 0 ] && kill "$pid" 2> /dev/null; done
+    wait 2> /dev/null
+    rm -rf "$folder"
+}
+trap finish EXIT
+fail() {
+    echo "FAILED: $1"
+    [ -f "$log" ] && tail -n 20 "$log"
+    [ -f "$folder/stdout" ] && cat "$folder/stdout"
+    exit 1
+}
+# waitFor PATTERN [LINES BEFORE]: until a later line of the log matches; 20 s at most.
+waitFor() {
+    for ((i = 0; i < 400; ++i)); do
+        if tail -n +$((${2:-0} + 1)) "$log" 2> /dev/null | grep -qE "$1"; then return 0; fi
+        kill -0 $window 2> /dev/null || fail "the program ended while waiting for '$1'"
+        sleep 0.05
+    done
+    fail "no line '$1' within 20 s"
+}
+lines() { wc -l < "$log"; }
+last() { grep -E "$1" "$log" | tail -n 1; }
+
+mkfifo "$folder/display"
+Xvfb -displayfd 7 -screen 0 1600x1000x24 -nolisten tcp 7> "$folder/display" > "$folder/xvfb" 2>&1 &
+screen=$!
+read -r -t 15 number < "$folder/display" || fail "Xvfb did not start"
+export DISPLAY=:$number LP_NUM_THREADS=1
+
+mkdir "$folder/layer"
+cp "$shader" "$folder/layer/"
+broken=$folder/layer/$(basename "$shader")
+touch "$log"
+cd "$folder" || exit 1
+PENUMBRA_UI_LOG=$log "$program" open --scene boxes --layer "$folder/layer" > "$folder/stdout" 2>&1 &
+window=$!
+waitFor '^item [a-z_]+ .*' && waitFor '^truth done'
+
+# The first slider that is a number: from its left end to its middle.
+setting=$("$program" list | awk '/…/ { print $1; exit }')
+read -r _ _ x0 y0 x1 y1 <<< "$(last "^item $setting ")"
+before=$(last '^frame ') seen=$(lines)
+middle=$(((x0 + x1) / 2)) height=$(((y0 + y1) / 2))
+xdotool mousemove $((x0 + 6)) $height mousedown 1
+value=0
+for ((i = 0; i < 100; ++i)); do  # a hand that trembles: some window systems drop the first move
+    xdotool mousemove $((middle + i % 2)) $height
+    sleep 0.1
+    value=$(last "^setting $setting ")
+    value=${value##* }
+    [ "$(awk -v v="${value:-0}" 'BEGIN { print (v > 1) }')" = 1 ] && break
+done
+xdotool mouseup 1
+[ "$(awk -v v="${value:-0}" 'BEGIN { print (v > 1) }')" = 1 ] || fail "dragging $setting to the middle gave '$value'"
+waitFor '^frame ' "$seen"
+waitFor '^truth done' "$seen"
+after=$(last '^frame ')
+[ "${before##* }" != "${after##* }" ] || fail "$setting is $value, but the picture is as before: $after"
+echo "slider: $setting $value, mean visibility ${before##* } -> ${after##* }"
+
+# A typing error in the student's file, on the line after its last.
+seen=$(lines)
+printf 'float blokcer( { return 0.0; }\n' >> "$broken"
+waitFor "^overlay .*$(basename "$broken"):$(wc -l < "$broken"): " "$seen"
+echo "overlay: $(last '^overlay ')"
+seen=$(lines)
+cp "$shader" "$broken"
+waitFor '^overlay gone' "$seen"
+waitFor '^frame ' "$seen"
+
+seen=$(lines)
+xdotool mousemove 400 300 key 5
+waitFor '^view split' "$seen"
+xdotool key p
+waitFor '^screenshot ' "$seen"
+picture=$(last '^screenshot ')
+[ -s "$folder/${picture#screenshot }" ] || fail "no file at ${picture#screenshot }"
+echo "keys: $(last '^view '), $picture"
