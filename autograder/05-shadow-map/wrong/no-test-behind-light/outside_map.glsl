@@ -1,4 +1,4 @@
-// Fails: TBD · receivers behind the light are looked up in the map, mirrored
+// Fails: TBD · receivers behind the light are treated as if they stood before it
 const float kInsideMap = -1.0;
 
 float visibilityOutsideMap(vec4 lightClip) {
