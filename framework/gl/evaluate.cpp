@@ -68,15 +68,16 @@ Image evaluateGlsl(const Layers& layers, const std::string& chunk, const std::st
     const glm::ivec2 size(first.width, first.height);
     const Texture output({.size = size, .format = GL_RGBA32F, .label = "evaluate output"});
     const Framebuffer target({.colors = {&output}});
-    std::vector<Texture> textures;
-    glUseProgram(program.id());
+    std::vector<Texture> textures;  // all made before the first is bound: making one binds it too
     for (const auto& [name, image] : inputs) {
         textures.emplace_back(TextureDescription{.size = size, .format = GL_RGBA32F, .label = name});
         textures.back().upload(image);
-        const int unit = int(textures.size()) - 1;
+    }
+    glUseProgram(program.id());
+    for (int unit = 0; const auto& [name, image] : inputs) {
         glUniform1i(glGetUniformLocation(program.id(), ("input_" + name).c_str()), unit);
         glActiveTexture(GL_TEXTURE0 + GLenum(unit));
-        glBindTexture(GL_TEXTURE_2D, textures.back().id());
+        glBindTexture(GL_TEXTURE_2D, textures[std::size_t(unit++)].id());
     }
     glActiveTexture(GL_TEXTURE0);
     GLuint vertexArray = 0;

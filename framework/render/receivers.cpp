@@ -7,19 +7,26 @@ namespace penumbra {
 
 namespace {
 
-// Signed distances to the clip planes, all >= 0 inside; w > 0 alone when depth does not matter.
-std::array<float, 6> distances(glm::vec4 p, Clip clip) {
-    const bool all = clip == Clip::all;
-    return {p.w + p.x, p.w - p.x, p.w + p.y, p.w - p.y, all ? p.w + p.z : p.w, all ? p.w - p.z : p.w};
-}
+constexpr std::size_t kPlanes = 7;  // the clip volume's six and the half space
+
+struct Region {
+    glm::mat4 clipFromWorld;
+    Clip clip;
+    glm::vec4 halfSpace;
+};
 
 struct Corner {
     glm::vec3 world;
-    std::array<float, 6> inside;
+    std::array<float, kPlanes> inside;  // signed distances, all >= 0 inside
 };
 
-Corner corner(glm::vec3 world, const glm::mat4& clipFromWorld, Clip clip) {
-    return {world, distances(clipFromWorld * glm::vec4(world, 1.0f), clip)};
+// w > 0 takes the place of near and far when depth does not matter.
+Corner corner(glm::vec3 world, const Region& region) {
+    const glm::vec4 p = region.clipFromWorld * glm::vec4(world, 1.0f);
+    const bool all = region.clip == Clip::all;
+    return {world,
+            {p.w + p.x, p.w - p.x, p.w + p.y, p.w - p.y, all ? p.w + p.z : p.w, all ? p.w - p.z : p.w,
+             glm::dot(region.halfSpace, glm::vec4(world, 1.0f))}};
 }
 
 // Sutherland-Hodgman against one plane; distances are linear in space, so they interpolate.
@@ -33,7 +40,7 @@ void clipPlane(std::vector<Corner>& polygon, std::size_t plane, std::vector<Corn
         if ((da >= 0) != (db >= 0)) {
             const float t = da / (da - db);
             Corner c{glm::mix(a.world, b.world, t), {}};
-            for (std::size_t k = 0; k < 6; ++k) c.inside[k] = a.inside[k] + t * (b.inside[k] - a.inside[k]);
+            for (std::size_t k = 0; k < kPlanes; ++k) c.inside[k] = a.inside[k] + t * (b.inside[k] - a.inside[k]);
             scratch.push_back(c);
         }
     }
@@ -44,7 +51,7 @@ enum class Side { inside, outside, both };
 
 Side classify(std::span<const Corner> corners) {
     bool inside = true;
-    for (std::size_t plane = 0; plane < 6; ++plane) {
+    for (std::size_t plane = 0; plane < kPlanes; ++plane) {
         bool anyIn = false;
         for (const Corner& c : corners) {
             anyIn |= c.inside[plane] >= 0;
@@ -57,7 +64,9 @@ Side classify(std::span<const Corner> corners) {
 
 }  // namespace
 
-std::vector<glm::vec3> visiblePoints(const Scene& scene, const glm::mat4& clipFromWorld, Clip clip) {
+std::vector<glm::vec3> visiblePoints(const Scene& scene, const glm::mat4& clipFromWorld, Clip clip,
+                                     glm::vec4 halfSpace) {
+    const Region region{clipFromWorld, clip, halfSpace};
     std::vector<glm::vec3> points;
     std::vector<Corner> polygon, scratch;
     for (const Mesh& mesh : scene.meshes) {
@@ -67,7 +76,7 @@ std::vector<glm::vec3> visiblePoints(const Scene& scene, const glm::mat4& clipFr
         for (unsigned i = 0; i < 8; ++i)
             corners[i] = corner({i & 1 ? box.upper.x : box.lower.x, i & 2 ? box.upper.y : box.lower.y,
                                  i & 4 ? box.upper.z : box.lower.z},
-                                clipFromWorld, clip);
+                                region);
         const Side side = classify(corners);
         if (side == Side::outside) continue;
         if (side == Side::inside) {
@@ -77,10 +86,10 @@ std::vector<glm::vec3> visiblePoints(const Scene& scene, const glm::mat4& clipFr
         for (const glm::uvec3 t : mesh.triangles) {
             polygon.clear();
             for (int k = 0; k < 3; ++k)
-                polygon.push_back(corner(mesh.positions[t[k]], clipFromWorld, clip));
+                polygon.push_back(corner(mesh.positions[t[k]], region));
             const Side triangle = classify(polygon);
             if (triangle == Side::outside) continue;
-            for (std::size_t plane = 0; plane < 6 && triangle == Side::both && !polygon.empty(); ++plane)
+            for (std::size_t plane = 0; plane < kPlanes && triangle == Side::both && !polygon.empty(); ++plane)
                 clipPlane(polygon, plane, scratch);
             for (const Corner& c : polygon) points.push_back(c.world);
         }

@@ -20,6 +20,9 @@ enum class Clip {
 // Corners, in world space, of every triangle's part inside the clip volume of `clipFromWorld`; the corners of
 // the bounding box instead for a mesh that lies inside as a whole. Any convex region that holds these points
 // holds all that is visible.
-std::vector<glm::vec3> visiblePoints(const Scene& scene, const glm::mat4& clipFromWorld, Clip clip = Clip::all);
+//
+// `halfSpace`: a plane (n, -n·p) whose positive side alone counts; (0, 0, 0, 1) leaves nothing out.
+std::vector<glm::vec3> visiblePoints(const Scene& scene, const glm::mat4& clipFromWorld, Clip clip = Clip::all,
+                                     glm::vec4 halfSpace = {0.0f, 0.0f, 0.0f, 1.0f});
 
 }  // namespace penumbra

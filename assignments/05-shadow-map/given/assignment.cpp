@@ -92,6 +92,21 @@ struct LightFrustum {
     DepthRange depth;
 };
 
+// In light view space. A surface that crosses the light's plane has corners on both sides: its part in front is added,
+// so that the points before the light hold all of it.
+std::vector<glm::vec3> visibleReceivers(const View& view, const glm::mat4& cameraClip) {
+    auto points = visiblePoints(view.scene, cameraClip);
+    const glm::vec3 forward = view.light.forward();
+    const auto inFront = [&](glm::vec3 p) { return glm::dot(p - view.light.center, forward) > 0.0f; };
+    if (!std::all_of(points.begin(), points.end(), inFront)) {
+        const glm::vec3 start = view.light.center + 1e-4f * bounds(view.scene).diagonal() * forward;
+        const auto front =
+            visiblePoints(view.scene, cameraClip, Clip::all, glm::vec4(forward, -glm::dot(forward, start)));
+        points.insert(points.end(), front.begin(), front.end());
+    }
+    return transformed(std::move(points), view.light.viewFromWorld());
+}
+
 LightFrustum lightFrustum(const View& view) {
     const glm::mat4 viewFromWorld = view.light.viewFromWorld();
     const WholeScene whole = wholeScene(view.scene, viewFromWorld);
@@ -101,7 +116,7 @@ LightFrustum lightFrustum(const View& view) {
 
     const glm::mat4 cameraClip =
         view.camera.clipFromView(float(view.size.x) / float(view.size.y)) * view.camera.viewFromWorld();
-    const auto receivers = transformed(visiblePoints(view.scene, cameraClip), viewFromWorld);
+    const auto receivers = visibleReceivers(view, cameraClip);
     if (fitWindow)
         if (const LightWindow window = fitLightWindow(receivers); usable(window)) frustum.window = window;
     if (fitDepth) {
