@@ -117,7 +117,10 @@ void Viewer::openWantedScene() {
 }
 
 void Viewer::obeyKeys() {
+    state_.entered = false;
     for (const int key : keys_.take()) {
+        if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER) state_.entered = true;
+        if (state_.typing) continue;
         if (key >= GLFW_KEY_1 && key <= GLFW_KEY_5) state_.view = PictureView(key - GLFW_KEY_1);
         if (key == GLFW_KEY_P || key == GLFW_KEY_F12) state_.screenshot = true;
         if (key == GLFW_KEY_ESCAPE) state_.insetEnlarged = false;

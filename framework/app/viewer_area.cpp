@@ -76,24 +76,35 @@ void drawDivider(ImDrawList* list, ViewerState& state, const Rect& area) {
     state.log.item("divider", x - kDividerReach, area.lower.y, x + kDividerReach, area.upper.y);
 }
 
-// "shader does not compile: depth_bias.glsl:12: error …" as a heading and what follows it.
+// An Error's "what: where; what to do": a heading, the log in one-width letters, a hint.
+struct Message {
+    std::string what, where, toDo;
+};
+
+Message parts(const std::string& text) {
+    const auto colon = text.find(": "), semicolon = text.rfind("; ");
+    if (colon == std::string::npos || semicolon == std::string::npos || semicolon < colon)
+        return {text, "", ""};
+    return {text.substr(0, colon), text.substr(colon + 2, semicolon - colon - 2),
+            text.substr(semicolon + 2)};
+}
+
 void drawOverlay(ImDrawList* list, const ViewerState& state, const Ui& ui, const Rect& area) {
-    const std::string& message = state.overlay;
-    const auto colon = message.find(": ");
-    const std::string title = message.substr(0, colon);
-    const std::string body = colon == std::string::npos ? "" : message.substr(colon + 2);
+    const Message message = parts(state.overlay);
     const float width = area.upper.x - area.lower.x - 2 * kMargin - 28;
     const ImVec2 at(area.lower.x + kMargin, area.lower.y + kMargin);
     ImGui::PushFont(ui.code());
     const float size = ImGui::GetFontSize();
-    const ImVec2 bodySize = ImGui::CalcTextSize(body.c_str(), nullptr, false, width);
+    const float logHeight = ImGui::CalcTextSize(message.where.c_str(), nullptr, false, width).y;
     ImGui::PopFont();
-    const float height = 44 + bodySize.y + 12;
+    const float height = 40 + logHeight + 40;
     list->AddRectFilled(at, {area.upper.x - kMargin, at.y + height}, IM_COL32(26, 20, 20, 238), 4);
     list->AddRectFilled(at, {at.x + 5, at.y + height}, IM_COL32(235, 90, 70, 255), 2);
-    list->AddText({at.x + 18, at.y + 12}, IM_COL32(255, 140, 115, 255), title.c_str());
+    list->AddText({at.x + 18, at.y + 12}, IM_COL32(255, 140, 115, 255), message.what.c_str());
     list->AddText(ui.code(), size, {at.x + 18, at.y + 40}, IM_COL32(240, 236, 230, 255),
-                  body.c_str(), nullptr, width);
+                  message.where.c_str(), nullptr, width);
+    list->AddText({at.x + 18, at.y + 40 + logHeight + 10}, IM_COL32(170, 165, 160, 255),
+                  message.toDo.c_str());
 }
 
 }  // namespace
@@ -152,7 +163,8 @@ void PictureArea::draw(ViewerState& state, const Ui& ui, const Pictures& picture
                                ImGuiButtonFlags_MouseButtonMiddle);
     state.log.item("picture", area.lower.x, area.lower.y, area.upper.x, area.upper.y);
     if (ImGui::IsItemActivated()) drag_ = beginDrag(state, pictures);
-    if (ImGui::IsItemActive()) drag(state);
+    // Not in the frame of the press: the mouse may have jumped to where it is.
+    if (ImGui::IsItemActive() && !ImGui::IsItemActivated()) drag(state);
     if (ImGui::IsItemHovered() && ImGui::GetIO().MouseWheel != 0)
         dolly(state.session.camera, ImGui::GetIO().MouseWheel);
 
@@ -162,7 +174,8 @@ void PictureArea::draw(ViewerState& state, const Ui& ui, const Pictures& picture
     if (needsTruth && !pictures.hasTruth())
         label(list, {area.lower.x + kMargin, area.lower.y + 12}, state.truthNote);
     if (state.view == PictureView::difference && pictures.hasTruth())
-        label(list, {area.lower.x + kMargin, area.lower.y + 12}, "mine minus truth: red too light, blue too dark");
+        label(list, {area.lower.x + kMargin, area.lower.y + 12},
+              "mine minus truth: red too light, blue too dark");
     drawInset(list, state, pictures, area);
     if (!state.overlay.empty()) drawOverlay(list, state, ui, area);
     ImGui::End();

@@ -1,7 +1,6 @@
 #include "app/viewer_keys.h"
 
 #include <GLFW/glfw3.h>
-#include <imgui.h>
 
 #include <utility>
 
@@ -21,10 +20,6 @@ ViewerKeys::ViewerKeys(GLFWwindow* window) {
     glfwSetKeyCallback(window, onKey);
 }
 
-std::vector<int> ViewerKeys::take() {
-    auto keys = std::exchange(pressed_, {});
-    if (ImGui::GetIO().WantTextInput) keys.clear();
-    return keys;
-}
+std::vector<int> ViewerKeys::take() { return std::exchange(pressed_, {}); }
 
 }  // namespace penumbra

@@ -1,5 +1,4 @@
-// Keys that the window itself takes, collected between two frames; not those typed into a text
-// field.
+// Keys pressed between two frames, even those that were let go before the next one began.
 #pragma once
 
 #include <vector>

@@ -93,8 +93,10 @@ void drawScene(ViewerState& state) {
         ImGui::Dummy({96, 0});
     }
     ImGui::SetNextItemWidth(-1);
-    if (ImGui::InputTextWithHint("##path", "path to a .glb or .gltf, then Enter", state.path,
-                                 sizeof state.path, ImGuiInputTextFlags_EnterReturnsTrue))
+    ImGui::InputTextWithHint("##path", "path to a .glb or .gltf, then Enter", state.path,
+                             sizeof state.path);
+    // Asked of the keyboard itself: ImGui 1.86 misses a key that is let go within a slow frame.
+    if (state.entered && (ImGui::IsItemActive() || ImGui::IsItemDeactivated()) && state.path[0])
         state.wantedScene = state.path;
     logItem(state, "path");
     if (!state.sceneError.empty()) wrapped(kWarning, state.sceneError);
@@ -167,6 +169,7 @@ void drawPanel(ViewerState& state) {
     drawTime(state);
     heading("Image in the corner");
     drawInsetChoice(state);
+    state.typing = ImGui::GetIO().WantTextInput;
     ImGui::End();
 }
 

@@ -28,6 +28,8 @@ struct ViewerState {
     bool learnNames = true;        // draw every image once, to know what there is
     std::string wantedScene = {};  // to open before the next frame
     int seed = 1;
+    bool entered = false;  // Enter was pressed since the last frame
+    bool typing = false;   // a text field takes the keys
     char path[1024] = "";  // as typed
     bool screenshot = false;
 

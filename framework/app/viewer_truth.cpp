@@ -71,7 +71,6 @@ void TruthTracer::request(TruthRequest request) {
     cancel();
     const std::lock_guard lock(mutex_);
     next_ = std::move(request);
-    busy_ = true;
     workDone_ = workNow_ = 0;
     workTotal_ = 1;
     error_.clear();
@@ -85,7 +84,7 @@ std::optional<TruthPass> TruthTracer::take() {
 
 bool TruthTracer::busy() const {
     const std::lock_guard lock(mutex_);
-    return busy_;
+    return working_ || next_;
 }
 
 double TruthTracer::fraction() const {
@@ -105,6 +104,7 @@ void TruthTracer::work() {
         if (stop_) return;
         const TruthRequest request = std::move(*next_);
         next_.reset();
+        working_ = true;
         const long generation = generation_;
         lock.unlock();
         std::string error;
@@ -115,12 +115,8 @@ void TruthTracer::work() {
         }
         lock.lock();
         progress_.reset();
-        if (generation != generation_) {
-            busy_ = next_.has_value();
-            continue;
-        }
-        busy_ = false;
-        error_ = error;
+        working_ = false;
+        if (generation == generation_) error_ = error;
     }
 }
 

@@ -73,7 +73,7 @@ private:
     double workDone_ = 0, workNow_ = 0, workTotal_ = 1;
     std::string error_;
     long generation_ = 0;  // counts requests and cancellations: a pass of an older one is dropped
-    bool busy_ = false, stop_ = false;
+    bool working_ = false, stop_ = false;
 
     std::shared_ptr<const Scene> tracedScene_;  // worker only
     std::optional<RayTracer> tracer_;           // worker only

@@ -36,7 +36,7 @@ void compileStage(GLuint shader, const ShaderSource& source, const std::string& 
     glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
     if (!ok)
         throw Error("shader does not compile", source.translate(infoLog(shader, false)),
-                    "fix " + name + " or a chunk it includes; the viewer reloads on save");
+                    "fix " + name + " or a chunk it includes, the viewer reloads on save");
 }
 
 GLuint link(const std::string& vertexName, const ShaderSource& vertex,
