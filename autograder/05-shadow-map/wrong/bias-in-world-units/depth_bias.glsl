@@ -1,4 +1,4 @@
-// Fails: TBD · biases in world units instead of texels
+// Fails: Task4DepthBias.ConstantBiasIsCountedInTexels, Task4DepthBias.ContactShadowStartsWithinOneAndAHalfTexels, Task4DepthBias.NormalOffsetFollowsTheSine, Task4DepthBias.SlopeBiasFollowsTheTangent · biases in world units instead of texels
 float constantBias(float texels, float texelSize) { return texels; }
 
 float slopeBias(float texels, float texelSize, float cosTheta) {

@@ -1,4 +1,4 @@
-// Fails: TBD · the second depth itself instead of the midpoint
+// Fails: Task6SecondDepth.ThresholdIsMidway · the second depth itself instead of the midpoint
 bool isFirstSurface(float depth, float firstDepth, float depthResolution) { return depth <= firstDepth + depthResolution; }
 
 float midpointDepth(float firstDepth, float secondDepth) { return secondDepth; }

@@ -1,4 +1,4 @@
-// Fails: TBD · the near plane is fitted to the receivers alone and cuts blockers off
+// Fails: Task1LightFrustum.NearPlaneStopsAtTheNearestBlocker · the near plane is fitted to the receivers alone and cuts blockers off
 #include <algorithm>
 
 #include "shadow_map.h"

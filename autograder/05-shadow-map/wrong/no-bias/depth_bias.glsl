@@ -1,4 +1,4 @@
-// Fails: TBD · no depth bias at all
+// Fails: Task4DepthBias.ConstantBiasIsCountedInTexels, Task4DepthBias.GradientSolvesTheReceiversPlane, Task4DepthBias.NoAcneOnAPlaneFrom10To89Degrees, Task4DepthBias.NormalOffsetFollowsTheSine, Task4DepthBias.PlaneBiasReachesTheFarthestTexelCentre, Task4DepthBias.SlopeBiasFollowsTheTangent, Task7WholeShadow.BoxesAgreeWithRays, Task7WholeShadow.FenceAgreesWithRays, Task7WholeShadow.FoliageAgreesWithRays, Task7WholeShadow.StairsAgreeWithRays · no depth bias at all
 float constantBias(float texels, float texelSize) { return 0.0; }
 
 float slopeBias(float texels, float texelSize, float cosTheta) { return 0.0; }

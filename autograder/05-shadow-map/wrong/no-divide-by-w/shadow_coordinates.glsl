@@ -1,4 +1,4 @@
-// Fails: TBD · no divide by w: right only for a directional light
+// Fails: Task2ShadowCoordinates.UvAndDepthRunFromZeroToOne, Task4DepthBias.ContactShadowStartsWithinOneAndAHalfTexels, Task4DepthBias.NoAcneOnAPlaneFrom10To89Degrees, Task6SecondDepth.NoBiasIsNeededForClosedBlockers, Task7WholeShadow.BoxesAgreeWithRays, Task7WholeShadow.FenceAgreesWithRays, Task7WholeShadow.FoliageAgreesWithRays, Task7WholeShadow.StairsAgreeWithRays · no divide by w: right only for a directional light
 vec4 lightClipPosition(vec3 world, mat4 clipFromWorld) { return clipFromWorld * vec4(world, 1.0); }
 
 vec3 shadowMapUvDepth(vec4 lightClip) { return 0.5 * lightClip.xyz + 0.5; }

@@ -1,4 +1,4 @@
-// Fails: TBD · receivers behind the light are treated as if they stood before it
+// Fails: Task5OutsideMap.BehindTheLightIsDark, Task5OutsideMap.NoMirroredShadowBehindTheLight · receivers behind the light are treated as if they stood before it
 const float kInsideMap = -1.0;
 
 float visibilityOutsideMap(vec4 lightClip) {

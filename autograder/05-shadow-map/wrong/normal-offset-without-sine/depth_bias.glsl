@@ -1,4 +1,4 @@
-// Fails: TBD · normal offset without the sine: it does not vanish at normal incidence
+// Fails: Task4DepthBias.NormalOffsetFollowsTheSine · normal offset without the sine: it does not vanish at normal incidence
 float constantBias(float texels, float texelSize) { return texels * texelSize; }
 
 float slopeBias(float texels, float texelSize, float cosTheta) {

@@ -1,4 +1,4 @@
-// Fails: TBD · receivers outside the map are dark
+// Fails: Task5OutsideMap.BesideTheMapAndBeforeTheNearPlaneIsLit · receivers outside the map are dark
 const float kInsideMap = -1.0;
 
 float visibilityOutsideMap(vec4 lightClip) {

@@ -1,4 +1,4 @@
-// Fails: TBD · slope bias from 1 - cos instead of tan
+// Fails: Task4DepthBias.NoAcneOnAPlaneFrom10To89Degrees, Task4DepthBias.SlopeBiasFollowsTheTangent · slope bias from 1 - cos instead of tan
 float constantBias(float texels, float texelSize) { return texels * texelSize; }
 
 float slopeBias(float texels, float texelSize, float cosTheta) {

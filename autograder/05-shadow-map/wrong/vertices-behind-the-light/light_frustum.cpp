@@ -1,4 +1,4 @@
-// Fails: TBD · points behind the light are projected too
+// Fails: Task1LightFrustum.LeavesOutWhatIsBehindTheLight · points behind the light are projected too
 #include <algorithm>
 #include <cmath>
 
