@@ -1,0 +1,93 @@
+cmake_minimum_required(VERSION 3.25)
+# cmake -DROOT=… -P DocLinks.cmake: in every *.md, each relative link and each code span that looks like a path of this
+# tree (`framework/core/`, `docs/grading.md`) must exist, and each citation in the sources must stand in
+# docs/references.md.
+set(bad "")
+set(count 0)
+
+# A tree handed to students lacks solutions/ and wrong/: nothing can be said of what lies there.
+function(check document path base)
+  if(path MATCHES "(^|/)(solutions|wrong)(/|$)" AND NOT EXISTS ${ROOT}/solutions)
+    return()
+  endif()
+  math(EXPR count "${count} + 1")
+  set(count ${count} PARENT_SCOPE)
+  if(NOT EXISTS ${base}/${path})
+    set(bad "${bad}  ${document}: ${path}\n" PARENT_SCOPE)
+  endif()
+endfunction()
+
+file(GLOB documents ${ROOT}/*.md)
+file(GLOB_RECURSE deeper ${ROOT}/docs/*.md ${ROOT}/framework/*.md ${ROOT}/assignments/*.md
+     ${ROOT}/solutions/*.md ${ROOT}/autograder/*.md)
+foreach(file IN LISTS documents deeper)
+  file(RELATIVE_PATH document ${ROOT} ${file})
+  get_filename_component(folder ${file} DIRECTORY)
+  file(READ ${file} text)
+  # Brackets and semicolons mean something to CMake's lists.
+  string(REPLACE "](" "@LINK@(" text "${text}")
+  string(REGEX REPLACE "[][;\\]" " " text "${text}")
+  # Fenced blocks hold commands and code.
+  set(prose "")
+  while(TRUE)
+    string(FIND "${text}" "```" begin)
+    if(begin EQUAL -1)
+      break()
+    endif()
+    string(SUBSTRING "${text}" 0 ${begin} part)
+    string(APPEND prose "${part}")
+    math(EXPR begin "${begin} + 3")
+    string(SUBSTRING "${text}" ${begin} -1 text)
+    string(FIND "${text}" "```" end)
+    if(end EQUAL -1)
+      string(APPEND bad "  ${document}: a fence is not closed\n")
+      set(text "")
+      break()
+    endif()
+    math(EXPR end "${end} + 3")
+    string(SUBSTRING "${text}" ${end} -1 text)
+  endwhile()
+  string(APPEND prose "${text}")
+
+  string(REGEX MATCHALL "@LINK@\\([^) #]*" links "${prose}")
+  foreach(link IN LISTS links)
+    string(REPLACE "@LINK@(" "" link "${link}")
+    if(link AND NOT link MATCHES "^[a-z]+:")
+      check(${document} "${link}" ${folder})
+    endif()
+  endforeach()
+  string(REGEX MATCHALL
+         "`(assignments|autograder|docs|framework|solutions|\\.github|\\.vscode)/[A-Za-z0-9_./-]*`"
+         spans "${prose}")
+  foreach(span IN LISTS spans)
+    string(REPLACE "`" "" span "${span}")
+    if(NOT span MATCHES "NN")  # NN-name stands for any
+      check(${document} "${span}" ${ROOT})
+    endif()
+  endforeach()
+endforeach()
+
+file(GLOB_RECURSE sources ${ROOT}/framework/*.h ${ROOT}/framework/*.cpp ${ROOT}/framework/*.glsl
+     ${ROOT}/framework/*.frag ${ROOT}/assignments/* ${ROOT}/solutions/* ${ROOT}/autograder/*.cpp
+     ${ROOT}/autograder/*.glsl)
+file(READ ${ROOT}/docs/references.md references)
+foreach(file IN LISTS sources)
+  file(STRINGS ${file} lines REGEX "\\[[A-Z][A-Za-z]+(, [A-Z][A-Za-z]+)*( and [A-Z][A-Za-z]+| et al\\.)? (19|20)[0-9][0-9]")
+  foreach(line IN LISTS lines)
+    string(REGEX MATCH "\\[[A-Z][A-Za-z]+(, [A-Z][A-Za-z]+)*( and [A-Z][A-Za-z]+| et al\\.)? (19|20)[0-9][0-9][a-z]?" citation "${line}")
+    string(FIND "${references}" "${citation}" found)
+    math(EXPR count "${count} + 1")
+    if(found EQUAL -1)
+      file(RELATIVE_PATH name ${ROOT} ${file})
+      string(APPEND bad "  ${name}: ${citation}] is not in docs/references.md\n")
+    endif()
+  endforeach()
+endforeach()
+
+if(count LESS 20)
+  message(FATAL_ERROR "only ${count} links and citations read: is ROOT right? ${ROOT}")
+endif()
+if(bad)
+  message(FATAL_ERROR "what these name does not exist:\n${bad}")
+endif()
+message(STATUS "${count} links, paths and citations lead somewhere")
