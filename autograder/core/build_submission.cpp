@@ -54,9 +54,9 @@ std::string firstComplaint(const std::string& output) {
     return unresolved;
 }
 
-Program buildSubmission(const Place& place, const fs::path& staged) {
+VariantProgram buildSubmission(const Place& place, const fs::path& staged) {
     const fs::path work = staged.parent_path(), build = work / "build";
-    const Program program{.executable = build / "program"};
+    const VariantProgram program{.executable = build / "program"};
     const fs::path facts = place.build / "submission" / "framework.cmake";
     if (!fs::exists(facts))
         throw Error("the framework is not built", facts.string(),

@@ -18,7 +18,7 @@ void requireCause(const std::string& cause, const char* subject) {
 }
 
 void record(Comparison comparison) {
-    CheckRecord& check = Session::current().check();
+    CheckRecord& check = GradingSession::current().check();
     if (!comparison.passed) {
         check.reasons.push_back(fmt::format("{}: {}, allowed {}", comparison.subject,
                                             comparison.measured, comparison.tolerance));
@@ -167,14 +167,14 @@ const Image& Rendered::at(const std::string& image) const {
 }
 
 Rendered render(const RenderRequest& request) {
-    return Rendered(Session::current().render(request));
+    return Rendered(GradingSession::current().render(request));
 }
 
 std::vector<glm::vec4> evaluate(const EvaluateRequest& request) {
-    return Session::current().evaluate(request);
+    return GradingSession::current().evaluate(request);
 }
 
-std::string sceneFile(const Scene& scene) { return Session::current().sceneFile(scene); }
+std::string sceneFile(const Scene& scene) { return GradingSession::current().sceneFile(scene); }
 
 void expectImageNear(const char* subject, const Image& mine, const Image& truth,
                      const ImageTolerance& tolerance, const Image& mask) {

@@ -17,7 +17,7 @@
 #include <limits>
 #include <span>
 
-#include "core/session.h"
+#include "core/grading_session.h"
 
 namespace penumbra {
 

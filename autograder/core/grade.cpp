@@ -8,7 +8,7 @@
 
 #include "core/error.h"
 #include "core/mistakes.h"
-#include "core/session.h"
+#include "core/grading_session.h"
 
 namespace penumbra {
 
@@ -29,7 +29,7 @@ std::string oneLine(std::string text) {
 // Turns what GoogleTest saw into a verdict for each check.
 class Recorder : public testing::EmptyTestEventListener {
 public:
-    Recorder(Session& session, std::size_t total, bool show)
+    Recorder(GradingSession& session, std::size_t total, bool show)
         : session_(session), total_(total), show_(show) {}
 
     void OnTestStart(const testing::TestInfo& info) override {
@@ -68,7 +68,7 @@ public:
     std::map<std::string, CheckRecord> records;
 
 private:
-    Session& session_;
+    GradingSession& session_;
     std::size_t total_;
     bool show_;
     std::string graderError_;
@@ -76,7 +76,7 @@ private:
 
 // Runs these checks and no others, whatever GTEST_… variables say.
 std::map<std::string, CheckRecord> runChecks(const std::vector<std::string>& checks,
-                                             Session& session, bool show) {
+                                             GradingSession& session, bool show) {
     if (checks.empty()) return {};
     testing::GTEST_FLAG(filter) = fmt::format("{}", fmt::join(checks, ":"));
     testing::GTEST_FLAG(catch_exceptions) = true;
@@ -170,7 +170,7 @@ GradeRecord gradeVariant(const Place& place, const Variant& variant, const Grade
                 toRun.push_back(task.name + "." + name);
     }
 
-    Session session(variant.program);
+    GradingSession session(variant.program);
     auto records = runChecks(toRun, session, options.showProgress);
     GradeRecord grade{.assignment = place.assignment,
                       .title = rubric.title,

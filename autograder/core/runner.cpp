@@ -88,7 +88,7 @@ std::string troubleOf(const FrameFile& frame, const std::vector<ImageRequest>& a
     return "";
 }
 
-RunOutcome run(const Program& program, std::vector<std::string> arguments,
+RunOutcome run(const VariantProgram& program, std::vector<std::string> arguments,
                const ProcessLimits& limits, const std::vector<ImageRequest>& images,
                glm::ivec2 size, const fs::path& scratch) {
     RunOutcome outcome;
@@ -136,7 +136,7 @@ std::string inWords(const RenderRequest& request) {
     return text;
 }
 
-RunOutcome runRender(const Program& program, const RenderRequest& request,
+RunOutcome runRender(const VariantProgram& program, const RenderRequest& request,
                      const fs::path& scratch) {
     std::vector<std::string> arguments = {"render", "--scene", request.scene, "--size",
                                           fmt::format("{}x{}", request.size.x, request.size.y)};
@@ -148,7 +148,7 @@ RunOutcome runRender(const Program& program, const RenderRequest& request,
                scratch);
 }
 
-RunOutcome runEvaluate(const Program& program, const EvaluateRequest& request,
+RunOutcome runEvaluate(const VariantProgram& program, const EvaluateRequest& request,
                        const fs::path& scratch) {
     FrameFile rows;
     std::size_t count = 0;

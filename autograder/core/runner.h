@@ -20,7 +20,7 @@
 namespace penumbra {
 
 // What is run: an executable and the folders laid over those it was built with.
-struct Program {
+struct VariantProgram {
     std::filesystem::path executable = {};
     std::vector<std::filesystem::path> layers = {};
     std::string broken = "";  // it could not be built: "does not compile: depth_bias.cpp:12: …"
@@ -65,9 +65,9 @@ struct RunOutcome {
 // student.
 inline constexpr int kExitNoOpenGl = 69;
 
-RunOutcome runRender(const Program& program, const RenderRequest& request,
+RunOutcome runRender(const VariantProgram& program, const RenderRequest& request,
                      const std::filesystem::path& scratch);
-RunOutcome runEvaluate(const Program& program, const EvaluateRequest& request,
+RunOutcome runEvaluate(const VariantProgram& program, const EvaluateRequest& request,
                        const std::filesystem::path& scratch);  // frame->images.at("result")
 
 // The request as a person would type it; equal requests have equal text.

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uintmax_t kLargestFile = 1 << 20;  // a source text of 1 MB is none
 
-Program built(const Place& place, const std::string& suffix) {
+VariantProgram built(const Place& place, const std::string& suffix) {
     const fs::path program = place.build / "bin" / (place.assignment + suffix);
     if (!fs::exists(program))
         throw Error("the program is not built", program.string(),

@@ -23,7 +23,7 @@ struct Place {
 
 struct Variant {
     std::string name;  // as the report calls it
-    Program program;
+    VariantProgram program;
     std::vector<std::string> warnings = {};
     // The student's files: the handout edited in place, or the staged submission. Empty for
     // variants of ours, which are never "not started".
@@ -43,8 +43,8 @@ Variant mistakeVariant(const Place& place, const std::string& mistake);
 Variant submissionVariant(const Place& place, const std::filesystem::path& folder);
 
 // The program of the staged C++ files, built against the framework's library as it stands in
-// place.build. Returns a Program whose `broken` says what the compiler said.
-Program buildSubmission(const Place& place, const std::filesystem::path& staged);
+// place.build. Returns a VariantProgram whose `broken` says what the compiler said.
+VariantProgram buildSubmission(const Place& place, const std::filesystem::path& staged);
 
 // "light_frustum.cpp:12: 'x' was not declared": the first complaint in a compiler's or linker's
 // output.

@@ -10,15 +10,12 @@ program=${1:-$root/build/dev/bin/penumbra-install-models}
 manifest=$root/framework/scene/models.json
 models=$root/models
 scratch=$root/build/models
-package=sweethome3d-furniture_1.8-1_all.deb
-url=http://deb.debian.org/debian/pool/main/s/sweethome3d-furniture/$package
-sum=3ccb90c63f9525e887a767b9cd5c8b6933b8b6b2973a615a5359ee68a2118668
+package=sweethome3d-furniture
 
 fail() { echo "install_models.sh: $1" >&2; exit 2; }
-sha256() { if command -v sha256sum >/dev/null; then sha256sum "$1"; else shasum -a 256 "$1"; fi | cut -d' ' -f1; }
-genuine() { [ -f "$1" ] && [ "$(sha256 "$1")" = "$sum" ]; }
+checksum() { if command -v sha256sum >/dev/null; then sha256sum "$1"; else shasum -a 256 "$1"; fi | cut -d' ' -f1; }
 
-stamp="$sum $(sha256 "$manifest")"
+stamp=$(checksum "$manifest")
 if [ "$(cat "$models/.installed" 2>/dev/null)" = "$stamp" ]; then
     missing=0
     for name in $(sed -n 's/.*"name": "\([^"]*\)".*/\1/p' "$manifest"); do
@@ -31,28 +28,28 @@ command -v unzip >/dev/null || fail "unzip is missing: install it (apt-get insta
 
 mkdir -p "$scratch"
 cd "$scratch"
-if ! genuine "$package"; then
+if ! ls ${package}_*.deb >/dev/null 2>&1; then
+    command -v apt-get >/dev/null ||
+        fail "models come from Debian's package $package: put its .deb into $scratch"
     echo "models: downloading $package (120 MB)"
-    rm -f "$package" "$package.part"
-    # apt's own mirror first; -o: no warning where the download folder is root's alone
-    if command -v apt-get >/dev/null && apt-get -q -o APT::Sandbox::User=root download sweethome3d-furniture=1.8-1 >download.log 2>&1; then
-        :
-    elif command -v curl >/dev/null; then
-        curl -fsSL -o "$package.part" "$url" || fail "cannot download $url: check the network"
-        mv "$package.part" "$package"
-    else
-        fail "cannot download sweethome3d-furniture: run apt-get update, or install curl"
-    fi
-    genuine "$package" || fail "$scratch/$package is not the expected file: remove it and try again"
+    rm -rf download
+    mkdir download
+    # In a folder of its own, so that a broken download is never taken for the package. -o: no warning where the
+    # folder is root's alone.
+    (cd download && apt-get -q -o APT::Sandbox::User=root download $package >../download.log 2>&1) ||
+        fail "cannot download $package: run apt-get update and look at $scratch/download.log"
+    mv download/*.deb .
+    rm -rf download
 fi
+deb=$(ls ${package}_*.deb | tail -n 1)
 
 echo "models: unpacking"
 rm -rf unpacked archives converted.part
 mkdir unpacked
 if command -v dpkg-deb >/dev/null; then
-    dpkg-deb -x "$package" unpacked
+    dpkg-deb -x "$deb" unpacked
 else
-    ar -p "$package" data.tar.xz | tar -xJf - -C unpacked
+    ar -p "$deb" data.tar.xz | tar -xJf - -C unpacked
 fi
 for archive in $(sed -n 's/.*"archive": "\([^"]*\)".*/\1/p' "$manifest" | sort -u); do
     mkdir -p "archives/$archive"

@@ -1,4 +1,4 @@
-#include "core/session.h"
+#include "core/grading_session.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@ namespace penumbra {
 
 namespace {
 
-Session* currentSession = nullptr;
+GradingSession* currentSession = nullptr;
 
 // A grader may hold 700 MB in all; frames of 256² are 1 MB and less.
 constexpr std::size_t kCacheBytes = std::size_t(128) << 20;
@@ -34,19 +34,19 @@ std::string keyOf(const RenderRequest& request) {
 
 }  // namespace
 
-Session::Session(Program program) : program_(std::move(program)) {
+GradingSession::GradingSession(VariantProgram program) : program_(std::move(program)) {
     EXPECTS(!currentSession);
     currentSession = this;
 }
 
-Session::~Session() { currentSession = nullptr; }
+GradingSession::~GradingSession() { currentSession = nullptr; }
 
-Session& Session::current() {
+GradingSession& GradingSession::current() {
     EXPECTS(currentSession);
     return *currentSession;
 }
 
-void Session::begin(const std::string& suite, const std::string& name) {
+void GradingSession::begin(const std::string& suite, const std::string& name) {
     check_ = {};
     stopped_ = false;
     check_.suite = suite, check_.name = name;
@@ -54,13 +54,13 @@ void Session::begin(const std::string& suite, const std::string& name) {
     start_ = std::chrono::steady_clock::now();
 }
 
-CheckRecord Session::end() {
+CheckRecord GradingSession::end() {
     check_.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     return std::move(check_);
 }
 
-void Session::fail(const std::string& reason, bool graderFault) {
+void GradingSession::fail(const std::string& reason, bool graderFault) {
     if (graderFault)
         throw Error("the program did not run", reason, "repair the machine or the build");
     stopped_ = true;
@@ -68,12 +68,12 @@ void Session::fail(const std::string& reason, bool graderFault) {
     throw NoFrame(reason);
 }
 
-void Session::account(const RunOutcome& outcome) {
+void GradingSession::account(const RunOutcome& outcome) {
     if (program_.broken.empty()) ++runs_;
     peakBytes_ = std::max(peakBytes_, outcome.peakBytes);
 }
 
-std::shared_ptr<const FrameFile> Session::render(const RenderRequest& request) {
+std::shared_ptr<const FrameFile> GradingSession::render(const RenderRequest& request) {
     const std::string key = keyOf(request);
     check_.frames.push_back(inWords(request));
     auto it = frames_.find(key);
@@ -93,7 +93,7 @@ std::shared_ptr<const FrameFile> Session::render(const RenderRequest& request) {
     return it->second.frame;
 }
 
-std::vector<glm::vec4> Session::evaluate(const EvaluateRequest& request) {
+std::vector<glm::vec4> GradingSession::evaluate(const EvaluateRequest& request) {
     check_.frames.push_back(fmt::format("{}: {}", request.chunk, request.expression));
     const RunOutcome outcome = runEvaluate(program_, request, scratch_.path());
     account(outcome);
@@ -106,7 +106,7 @@ std::vector<glm::vec4> Session::evaluate(const EvaluateRequest& request) {
     return rows;
 }
 
-std::string Session::sceneFile(const Scene& scene) {
+std::string GradingSession::sceneFile(const Scene& scene) {
     const auto part = scratch_.path() / fmt::format("scene-{}.part.glb", ++scenes_);
     saveGlb(part, scene);
     std::ifstream stream(part, std::ios::binary);

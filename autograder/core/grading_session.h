@@ -2,7 +2,7 @@
 // record of the check that is running. checks.h speaks to the current session; tests make their
 // own.
 //
-//   Session session(program);            // current until it is destroyed
+//   GradingSession session(program);            // current until it is destroyed
 //   session.begin("Task1", "Fact"); … session.end();
 #pragma once
 
@@ -22,13 +22,13 @@ struct NoFrame : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-class Session {
+class GradingSession {
 public:
-    explicit Session(Program program);
-    ~Session();
-    Session(const Session&) = delete;
-    Session& operator=(const Session&) = delete;
-    static Session& current();
+    explicit GradingSession(VariantProgram program);
+    ~GradingSession();
+    GradingSession(const GradingSession&) = delete;
+    GradingSession& operator=(const GradingSession&) = delete;
+    static GradingSession& current();
 
     void begin(const std::string& suite, const std::string& name);
     CheckRecord end();
@@ -51,7 +51,7 @@ private:
     void account(const RunOutcome& outcome);
     [[noreturn]] void fail(const std::string& reason, bool graderFault);
 
-    Program program_;
+    VariantProgram program_;
     ScratchFolder scratch_;
     std::unordered_map<std::string, RunOutcome> frames_;
     std::deque<std::string> oldestFirst_;
