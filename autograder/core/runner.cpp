@@ -82,9 +82,11 @@ std::string troubleOf(const FrameFile& frame, const std::vector<ImageRequest>& a
                                image.channels, channels);
         if (auto trouble = troubleOf(request.name, image); !trouble.empty()) return trouble;
     }
-    for (const auto& [name, image] : frame.images)
+    for (const auto& entry : frame.images) {
+        const std::string& name = entry.first;  // clang 14 captures no structured binding
         if (std::none_of(asked.begin(), asked.end(), [&](const auto& r) { return r.name == name; }))
             return fmt::format("image '{}' was not asked for", name);
+    }
     return "";
 }
 

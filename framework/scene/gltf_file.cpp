@@ -111,7 +111,7 @@ std::vector<std::uint8_t> decodeBase64(const std::string& text, std::size_t from
         std::array<int, 256> t;
         t.fill(-1);
         const char* letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-        for (int i = 0; i < 64; ++i) t[std::size_t(letters[i])] = i;
+        for (int i = 0; i < 64; ++i) t[static_cast<unsigned char>(letters[i])] = i;
         return t;
     }();
     std::vector<std::uint8_t> bytes;

@@ -39,7 +39,7 @@ std::vector<glm::uvec3> assemble(const GltfValue& primitive, std::size_t mode,
 std::vector<std::uint32_t> vertexOrder(const GltfFile& file, const GltfValue& primitive,
                                        std::size_t vertexCount) {
     if (const auto indices = primitive.find("indices")) {
-        const auto order = file.indices(indices->index(file.list("accessors").size()));
+        auto order = file.indices(indices->index(file.list("accessors").size()));
         for (const std::uint32_t i : order)
             if (i >= vertexCount)
                 indices->fail(

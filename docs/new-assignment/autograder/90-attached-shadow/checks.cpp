@@ -22,7 +22,8 @@ TEST(Task1AttachedShadow, TheSideOfThePlaneDecides) {
 }
 
 TEST(Task1AttachedShadow, ALoneBoxIsDarkWhereItFacesAway) {
-    Scene scene{.name = "box", .materials = {{.name = "clay"}}};
+    Scene scene;
+    scene.materials.resize(1);
     scene.meshes = {box({-1, 0, -1}, {1, 2, 1}, 0)};
     scene.camera = {.eye = {4, 5, 6}, .target = {0, 1, 0}};
     scene.lights = {Light::lookingAt({-3, 6, 4}, {0, 1, 0}, 1.0f)};
