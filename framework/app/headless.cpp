@@ -10,10 +10,12 @@
 
 #include "core/error.h"
 #include "core/frame_file.h"
+#include "core/metrics.h"
 #include "core/output_folder.h"
 #include "gl/timer.h"
 #include "render/passes.h"
 #include "scene/gallery.h"
+#include "truth/visibility.h"
 
 namespace penumbra {
 
@@ -60,6 +62,17 @@ Spread spread(std::vector<double> values) {
     return {values.front(), values[values.size() / 2], values.back()};
 }
 
+double rmseAgainstRays(Session& session, glm::ivec2 size) {
+    constexpr int kSamples = 256;  // standard error at most 1/32 in the middle of a penumbra
+    const Image mine = session.render(size, {{"visibility"}}).read().at("visibility");
+    const RayTracer tracer(session.scene());
+    const Receivers receivers = tracer.receivers(session.camera, size);
+    const Image truth = session.assignment().lightModel() == LightModel::point
+                            ? pointVisibility(tracer, receivers, session.light)
+                            : areaVisibility(tracer, receivers, session.light, kSamples);
+    return compareVisibility(mine, truth).rmse;
+}
+
 }  // namespace
 
 void renderToFolder(Session& session, const Context& context, glm::ivec2 size,
@@ -103,7 +116,7 @@ void printBenchmark(Session& session, const Context& context, glm::ivec2 size,
     fmt::print("{} · {} · {}x{} · {} repetitions · {} milliseconds, minimum / median / maximum\n",
                context.renderer(), context.backend(), size.x, size.y, repetitions,
                context.software() ? "process CPU" : "wall-clock");
-    fmt::print("{:<20} {:>24} {:>24} {:>24}\n", "scene", "floor", "frame", "frame / floor");
+    fmt::print("{:<20} {:>24} {:>24} {:>24} {:>8}\n", "scene", "floor", "frame", "frame / floor", "RMSE");
     for (const std::string& name : scenes) {
         session.open(loadScene(name));
         FloorPasses floorPasses(1024);
@@ -125,7 +138,8 @@ void printBenchmark(Session& session, const Context& context, glm::ivec2 size,
             ratios.push_back(mine / floors.back());
         }
         const auto text = [](const Spread& s) { return fmt::format("{:.2f} / {:.2f} / {:.2f}", s.minimum, s.median, s.maximum); };
-        fmt::print("{:<20} {:>24} {:>24} {:>24}\n", name, text(spread(floors)), text(spread(frames)), text(spread(ratios)));
+        fmt::print("{:<20} {:>24} {:>24} {:>24} {:>8.4f}\n", name, text(spread(floors)), text(spread(frames)), text(spread(ratios)),
+                   rmseAgainstRays(session, size));
         std::fflush(stdout);
     }
     throwOnGlErrors();

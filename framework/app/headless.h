@@ -19,7 +19,7 @@ void renderToFolder(Session& session, const Context& context, glm::ivec2 size,
 void renderToFrameFile(Session& session, const Context& context, glm::ivec2 size,
                        const std::optional<std::set<std::string>>& wanted, const std::filesystem::path& file);
 
-// Cost in floors of each scene, printed as a table: frame and floor interleaved, medians and spread of
+// Speed against error: cost in floors and RMSE against rays of each scene, printed as a table: frame and floor interleaved, medians and spread of
 // process CPU time on a software rasteriser, of the wall clock on a GPU.
 void printBenchmark(Session& session, const Context& context, glm::ivec2 size,
                     const std::vector<std::string>& scenes, int repetitions);

@@ -4,8 +4,7 @@
 add_library(penumbra_flags INTERFACE)
 target_include_directories(penumbra_flags INTERFACE ${PROJECT_SOURCE_DIR}/framework
                                                     ${PROJECT_SOURCE_DIR}/autograder)
-target_compile_definitions(penumbra_flags INTERFACE PENUMBRA_ROOT="${PROJECT_SOURCE_DIR}"
-                                                    GLM_FORCE_SILENT_WARNINGS)
+target_compile_definitions(penumbra_flags INTERFACE GLM_FORCE_SILENT_WARNINGS)
 if(NOT MSVC)
   target_compile_options(penumbra_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow=local
                                                   -ffp-contract=off)
@@ -45,8 +44,15 @@ function(course_add_program target)
     endforeach()
   endforeach()
   list(GET ARGN 0 handout)
-  file(GLOB given CONFIGURE_DEPENDS ${handout}/given/*.cpp)
-  add_executable(${target} ${chosen} ${given} ${PENUMBRA_FRAMEWORK}/app/main.cpp)
+  get_filename_component(assignment ${handout} NAME)
+  if(NOT TARGET ${assignment}.given)  # compiled once for all variants: nothing replaces it
+    file(GLOB given CONFIGURE_DEPENDS ${handout}/given/*.cpp)
+    add_library(${assignment}.given OBJECT ${given})
+    target_include_directories(${assignment}.given PRIVATE ${handout}/given)
+    target_link_libraries(${assignment}.given PRIVATE penumbra)
+  endif()
+  add_executable(${target} ${chosen} $<TARGET_OBJECTS:${assignment}.given>
+                           ${PENUMBRA_FRAMEWORK}/app/main.cpp)
   target_include_directories(${target} PRIVATE ${handout}/given ${handout})
   string(REPLACE ";" "|" layers "${ARGN}")
   target_compile_definitions(${target} PRIVATE PENUMBRA_LAYERS="${layers}")
@@ -79,6 +85,11 @@ function(course_add_all_assignments)
     if(EXISTS ${solution})
       course_add_program(${name}.solution ${handout} ${solution})
       course_add_window_test(${name}.solution ${solution})
+      if(UNIX)
+        add_test(NAME ${name}.headless
+                 COMMAND ${PENUMBRA_FRAMEWORK}/app/headless_test.sh $<TARGET_FILE:${name}.solution>)
+        set_tests_properties(${name}.headless PROPERTIES TIMEOUT 120 ENVIRONMENT "LP_NUM_THREADS=1")
+      endif()
       file(GLOB mistakes CONFIGURE_DEPENDS LIST_DIRECTORIES true
            ${PROJECT_SOURCE_DIR}/autograder/${name}/wrong/*)
       foreach(mistake IN LISTS mistakes)
@@ -99,7 +110,8 @@ function(course_add_grader name)
   add_executable(${name}.grade ${PENUMBRA_FRAMEWORK}/../autograder/core/grade_main.cpp
                                ${grader}/checks.cpp)
   target_link_libraries(${name}.grade PRIVATE penumbra_autograder)
-  target_compile_definitions(${name}.grade PRIVATE PENUMBRA_BUILD="${CMAKE_BINARY_DIR}"
+  target_compile_definitions(${name}.grade PRIVATE PENUMBRA_ROOT="${PROJECT_SOURCE_DIR}"
+                                                   PENUMBRA_BUILD="${CMAKE_BINARY_DIR}"
                                                    PENUMBRA_ASSIGNMENT="${name}")
   if(NOT EXISTS ${PROJECT_SOURCE_DIR}/solutions/${name})
     return()  # a student's tree: the handout is being written, nothing to hold it against

@@ -29,17 +29,6 @@ else()
   target_link_libraries(penumbra_imgui INTERFACE PkgConfig::IMGUI stb)  # imgui draws text with stb
 endif()
 
-# tinygltf: a library on Debian, header only under vcpkg.
-find_package(TinyGLTF CONFIG QUIET)
-add_library(penumbra_tinygltf INTERFACE)
-if(TARGET TinyGLTF::TinyGLTF)
-  target_link_libraries(penumbra_tinygltf INTERFACE TinyGLTF::TinyGLTF)
-else()
-  find_path(TINYGLTF_HEADERS tiny_gltf.h REQUIRED)
-  target_include_directories(penumbra_tinygltf INTERFACE ${TINYGLTF_HEADERS})
-  target_compile_definitions(penumbra_tinygltf INTERFACE PENUMBRA_IMPLEMENT_TINYGLTF)
-endif()
-
 find_package(tinyobjloader CONFIG REQUIRED)
 find_path(STB_HEADERS stb/stb_image_write.h)
 if(NOT STB_HEADERS)

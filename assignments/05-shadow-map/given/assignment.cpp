@@ -175,7 +175,7 @@ private:
 void ShadowMap::settings(Settings& s) {
     s.choice({.name = "map_size", .help = "texels along each side of the shadow map", .unit = "texels", .value = 2,
               .choices = {"256", "512", "1024", "2048", "4096"}});
-    s.choice({.name = "filter", .help = "nearest texel, your 2x2, the hardware's 2x2", .value = 2,
+    s.choice({.name = "filter", .help = "nearest texel, your 2x2, the hardware's 2x2", .value = 1,
               .choices = {"off", "2x2", "hardware"}});
     s.number({.name = "constant_bias", .help = "receiver moved towards the light", .unit = "texels",
               .minimum = 0, .maximum = 16, .value = 0});

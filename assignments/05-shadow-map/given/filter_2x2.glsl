@@ -12,6 +12,6 @@ float filteredVisibility(vec3 uvDepth, vec2 gradient) {
     vec2 fraction = fract(texel);
     vec4 stored = textureGather(shadowMap, (floor(texel) + 1.0) * map.texelSizeUv).wzxy;
     vec2 step = gradient * map.texelSizeUv;
-    float first = uvDepth.z - dot(step, fraction);
+    float first = uvDepth.z - dot(step, fraction) - depthRounding(gradient);
     return filter2x2(stored, first + vec4(0.0, step.x, step.y, step.x + step.y), fraction);
 }

@@ -6,6 +6,6 @@
 uniform sampler2DShadow shadowMapCompare;  // linear, lit where reference <= depth
 
 float filteredVisibility(vec3 uvDepth, vec2 gradient) {
-    float reference = uvDepth.z - receiverPlaneBias(gradient, map.texelSizeUv, 0.5);
+    float reference = uvDepth.z - receiverPlaneBias(gradient, map.texelSizeUv, 0.5) - depthRounding(gradient);
     return textureLod(shadowMapCompare, vec3(uvDepth.xy, reference), 0.0);
 }

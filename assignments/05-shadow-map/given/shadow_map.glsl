@@ -10,3 +10,9 @@ layout(std140) uniform ShadowMap {
     float normalOffset;     // [texels]
     int receiverPlane;      // 0 off, 1 on
 } map;
+
+// What no bias of yours has to pay for: the map's depth and the receiver's come from different arithmetic, a few
+// units in the last place of a float apart, and the plane's gradient from differences across one pixel, good to 1 %.
+float depthRounding(vec2 gradient) {
+    return map.depthResolution + 1e-6 + 0.01 * dot(abs(gradient), map.texelSizeUv);
+}
