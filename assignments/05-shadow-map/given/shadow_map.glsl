@@ -12,7 +12,8 @@ layout(std140) uniform ShadowMap {
 } map;
 
 // What no bias of yours has to pay for: the map's depth and the receiver's come from different arithmetic, a few
-// units in the last place of a float apart, and the plane's gradient from differences across one pixel, good to 1 %.
+// units in the last place of a float apart, and the plane's gradient from differences across one pixel. At 89 degrees
+// v changes by 2e-5 a pixel and is rounded to 6e-8: three such differences are good to 2 %.
 float depthRounding(vec2 gradient) {
-    return map.depthResolution + 1e-6 + 0.01 * dot(abs(gradient), map.texelSizeUv);
+    return map.depthResolution + 1e-6 + 0.02 * dot(abs(gradient), map.texelSizeUv);
 }

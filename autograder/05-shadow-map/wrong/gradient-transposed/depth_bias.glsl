@@ -1,4 +1,4 @@
-// Fails: Task4DepthBias.GradientSolvesTheReceiversPlane, Task4DepthBias.NoAcneOnAPlaneFrom10To89Degrees · the plane's gradient with u and v swapped
+// Fails: Task4DepthBias.GradientSolvesTheReceiversPlane, Task4DepthBias.NoAcneOnAPlaneFrom10To89Degrees, Task7WholeShadow.BoxesAgreeWithRays, Task7WholeShadow.FenceAgreesWithRays, Task7WholeShadow.FoliageAgreesWithRays, Task7WholeShadow.StairsAgreeWithRays · the plane's gradient with u and v swapped
 float constantBias(float texels, float texelSize) { return texels * texelSize; }
 
 float slopeBias(float texels, float texelSize, float cosTheta) {
