@@ -13,5 +13,6 @@ float filteredVisibility(vec3 uvDepth, vec2 gradient) {
     vec4 stored = textureGather(shadowMap, (floor(texel) + 1.0) * map.texelSizeUv).wzxy;
     vec2 step = gradient * map.texelSizeUv;
     float first = uvDepth.z - dot(step, fraction) - depthRounding(gradient);
-    return filter2x2(stored, first + vec4(0.0, step.x, step.y, step.x + step.y), fraction);
+    vec4 references = first + vec4(0.0, step.x, step.y, step.x + step.y);
+    return filter2x2(stored, min(references, 1.0), fraction);
 }

@@ -7,5 +7,5 @@ uniform sampler2DShadow shadowMapCompare;  // linear, lit where reference <= dep
 
 float filteredVisibility(vec3 uvDepth, vec2 gradient) {
     float reference = uvDepth.z - receiverPlaneBias(gradient, map.texelSizeUv, 0.5) - depthRounding(gradient);
-    return textureLod(shadowMapCompare, vec3(uvDepth.xy, reference), 0.0);
+    return textureLod(shadowMapCompare, vec3(uvDepth.xy, min(reference, 1.0)), 0.0);
 }

@@ -8,5 +8,5 @@ uniform sampler2D shadowMap;  // depth [0,1], nearest
 float filteredVisibility(vec3 uvDepth, vec2 gradient) {
     vec2 center = (floor(uvDepth.xy / map.texelSizeUv) + 0.5) * map.texelSizeUv;
     float reference = uvDepth.z + dot(gradient, center - uvDepth.xy) - depthRounding(gradient);
-    return litBy(textureLod(shadowMap, center, 0.0).r, reference);
+    return litBy(textureLod(shadowMap, center, 0.0).r, min(reference, 1.0));
 }

@@ -5,7 +5,8 @@
 #include "depth_bias.glsl"
 #include "outside_map.glsl"
 
-// A filter_*.glsl and a bias_*.glsl are linked in with these bodies.
+// A filter_*.glsl and a bias_*.glsl are linked in with these bodies. Past the far plane nothing is drawn: a filter
+// compares as if the receiver, or its plane at the texel's centre, were on it.
 float filteredVisibility(vec3 uvDepth, vec2 gradient);
 vec4 biasedLightClip(vec4 lightClip, vec3 facet, float cosTheta, float lightDistance);
 
@@ -22,7 +23,6 @@ float shadowMapVisibility(vec3 receiver, vec3 facet, vec4 lightClip) {
     vec2 gradient = vec2(0.0);
     if (map.receiverPlane != 0) gradient = receiverPlaneGradient(dFdx(unbiased), dFdy(unbiased));
     vec3 uvDepth = shadowMapUvDepth(biasedLightClip(lightClip, facet, cosTheta, lightDistance));
-    uvDepth.z = min(uvDepth.z, 1.0);  // past the far plane nothing is drawn: compare as if on it
     float visibility = known == kInsideMap ? filteredVisibility(uvDepth, gradient) : known;
     return cosTheta > 0.0 ? visibility : 0.0;  // attached shadow: no map needed
 }
