@@ -7,8 +7,8 @@
 #include <chrono>
 
 #include "core/error.h"
-#include "core/mistakes.h"
 #include "core/grading_session.h"
+#include "core/mistakes.h"
 
 namespace penumbra {
 

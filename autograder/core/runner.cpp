@@ -135,6 +135,7 @@ std::string inWords(const RenderRequest& request) {
                                    request.size.y);
     for (const auto& setting : request.settings) text += " --set " + setting;
     for (const auto& image : request.images) text += " --image " + image.name;
+    if (request.warm) text += " --warm";
     return text;
 }
 
@@ -146,6 +147,7 @@ RunOutcome runRender(const VariantProgram& program, const RenderRequest& request
         arguments.insert(arguments.end(), {"--set", setting});
     for (const auto& image : request.images)
         arguments.insert(arguments.end(), {"--image", image.name});
+    if (request.warm) arguments.push_back("--warm");
     return run(program, std::move(arguments), request.limits, request.images, request.size,
                scratch);
 }

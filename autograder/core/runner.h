@@ -42,6 +42,7 @@ struct RenderRequest {
     glm::ivec2 size{256, 256};
     std::vector<std::string> settings = {};  // name=value
     std::vector<ImageRequest> images = {"visibility"};
+    bool warm = false;  // draw once before, so that milliseconds hold no shader compilation
     ProcessLimits limits = {};
 };
 

@@ -1,4 +1,5 @@
-// `./course demo`: every solution graded, and rendered beside ray-traced truth on every scene; one page.
+// `./course demo`: every solution graded, and rendered beside ray-traced truth on every scene; one
+// page.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -36,26 +37,31 @@ std::vector<std::string> solvedAssignments() {
 DemoGrade grade(const Place& place, const fs::path& out) {
     const fs::path grader = place.build / "bin" / (place.assignment + ".grade");
     const ScratchFolder scratch;
-    const Command command{.program = grader, .arguments = {"--solution", "--out", (out / place.assignment).string()},
-                          .folder = scratch.path(), .limits = {.wallSeconds = 600, .cpuSeconds = 1200}};
+    const Command command{.program = grader,
+                          .arguments = {"--solution", "--out", (out / place.assignment).string()},
+                          .folder = scratch.path(),
+                          .limits = {.wallSeconds = 600, .cpuSeconds = 1200}};
     const ProcessResult result = runProcess(command);
     std::ifstream file(out / place.assignment / "results.json");
-    if (!file) throw Error("no grade", place.assignment, inWords(result, command.limits) + " " + result.standardError);
+    if (!file)
+        throw Error("no grade", place.assignment,
+                    inWords(result, command.limits) + " " + result.standardError);
     const auto json = nlohmann::json::parse(file);
-    return {.assignment = place.assignment, .score = json.at("score"), .seconds = json.at("execution_time"),
+    return {.assignment = place.assignment,
+            .score = json.at("score"),
+            .seconds = json.at("execution_time"),
             .report = place.assignment + "/report.html"};
-}
-
-// Two frames: the first also compiles shaders, which no frame after it does.
-RunOutcome renderTwice(const VariantProgram& program, const std::string& scene, const fs::path& scratch) {
-    const RenderRequest request{.scene = scene, .size = kSize, .images = {"visibility", "color"}, .limits = {.wallSeconds = 120, .cpuSeconds = 240}};
-    const RunOutcome cold = runRender(program, request, scratch);
-    return cold.frame ? runRender(program, request, scratch) : cold;
 }
 
 DemoCard card(const Place& place, const std::string& sceneName, const fs::path& pictures) {
     const ScratchFolder scratch;
-    const RunOutcome run = renderTwice(solutionVariant(place).program, sceneName, scratch.path());
+    const RunOutcome run = runRender(solutionVariant(place).program,
+                                     {.scene = sceneName,
+                                      .size = kSize,
+                                      .images = {"visibility", "color"},
+                                      .warm = true,
+                                      .limits = {.wallSeconds = 120, .cpuSeconds = 240}},
+                                     scratch.path());
     if (!run.frame) throw Error("no picture", place.assignment + " on " + sceneName, run.reason);
     const Scene scene = loadScene(sceneName);
     const RayTracer tracer(scene);
@@ -68,14 +74,20 @@ DemoCard card(const Place& place, const std::string& sceneName, const fs::path& 
     savePng(pictures / (stem + "-color.png"), run.frame->images.at("color"), Encoding::srgb);
     savePng(pictures / (stem + "-mine.png"), mine, Encoding::linear);
     savePng(pictures / (stem + "-truth.png"), truth, Encoding::linear);
-    savePng(pictures / (stem + "-difference.png"), falseColorDifference(mine, truth), Encoding::linear);
-    return {.assignment = place.assignment, .scene = sceneName, .triangles = triangleCount(scene),
-            .milliseconds = run.frame->milliseconds, .metrics = compareVisibility(mine, truth), .stem = stem};
+    savePng(pictures / (stem + "-difference.png"), falseColorDifference(mine, truth),
+            Encoding::linear);
+    return {.assignment = place.assignment,
+            .scene = sceneName,
+            .triangles = triangleCount(scene),
+            .milliseconds = run.frame->milliseconds,
+            .metrics = compareVisibility(mine, truth),
+            .stem = stem};
 }
 
 void demo(const fs::path& build, const fs::path& out) {
     const auto assignments = solvedAssignments();
-    if (assignments.empty()) throw Error("nothing to show", "solutions/", "this tree holds no solutions");
+    if (assignments.empty())
+        throw Error("nothing to show", "solutions/", "this tree holds no solutions");
     std::vector<std::string> scenes = builtInSceneNames();
     const auto models = installedModelNames();
     scenes.insert(scenes.end(), models.begin(), models.end());
@@ -96,9 +108,10 @@ void demo(const fs::path& build, const fs::path& out) {
     }
     writeText(folder.file("index.html"), demoPage(page));
     folder.commit();
-    for (const DemoGrade& g : page.grades) fmt::print("{:<24} {:g} of 100 points\n", g.assignment, g.score);
-    fmt::print("{} pictures on {} scenes, {} of them models\n{}\n", page.cards.size(), scenes.size(), models.size(),
-               (out / "index.html").string());
+    for (const DemoGrade& g : page.grades)
+        fmt::print("{:<24} {:g} of 100 points\n", g.assignment, g.score);
+    fmt::print("{} pictures on {} scenes, {} of them models\n{}\n", page.cards.size(),
+               scenes.size(), models.size(), (out / "index.html").string());
 }
 
 }  // namespace

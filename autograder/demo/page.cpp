@@ -27,14 +27,16 @@ dt { color: var(--soft); } dd { margin: 0; text-align: right; }
 
 std::string passes(const std::map<std::string, double>& milliseconds) {
     std::string text;
-    for (const auto& [pass, ms] : milliseconds) text += fmt::format("{}{} {:.1f} ms", text.empty() ? "" : ", ", pass, ms);
+    for (const auto& [pass, ms] : milliseconds)
+        text += fmt::format("{}{} {:.1f} ms", text.empty() ? "" : ", ", pass, ms);
     return text;
 }
 
 std::string cardHtml(const DemoCard& c) {
     const auto picture = [&](const char* kind, const char* caption) {
-        return fmt::format(R"(<figure><a href="pictures/{0}-{1}.png"><img loading="lazy" src="pictures/{0}-{1}.png" alt="{2} visibility of {3}"></a><figcaption>{2}</figcaption></figure>)",
-                           c.stem, kind, caption, c.scene);
+        return fmt::format(
+            R"(<figure><a href="pictures/{0}-{1}.png"><img loading="lazy" src="pictures/{0}-{1}.png" alt="{2} visibility of {3}"></a><figcaption>{2}</figcaption></figure>)",
+            c.stem, kind, caption, c.scene);
     };
     return fmt::format(
         R"(<article><a href="pictures/{0}-color.png"><img loading="lazy" src="pictures/{0}-color.png" alt="{1}"></a>
@@ -42,21 +44,28 @@ std::string cardHtml(const DemoCard& c) {
 <div class="text"><h3>{1}</h3><dl><dt>triangles</dt><dd>{5}</dd><dt>RMSE against rays</dt><dd>{6:.4f}</dd>
 <dt>mean absolute error</dt><dd>{7:.2f} %</dd><dt>time</dt><dd>{8}</dd></dl></div></article>
 )",
-        c.stem, c.scene, picture("mine", "mine"), picture("truth", "truth"), picture("difference", "difference"), c.triangles,
-        c.metrics.rmse, 100 * c.metrics.meanAbsolute, passes(c.milliseconds));
+        c.stem, c.scene, picture("mine", "mine"), picture("truth", "truth"),
+        picture("difference", "difference"), c.triangles, c.metrics.rmse,
+        100 * c.metrics.meanAbsolute, passes(c.milliseconds));
 }
 
 }  // namespace
 
 std::string demoPage(const DemoPage& page) {
     std::string html = fmt::format(
-        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width\">"
+        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+        "content=\"width=device-width\">"
         "<title>Penumbra</title><style>{}</style></head><body><main>\n<h1>Penumbra</h1>\n"
-        "<p>Every reference solution on every scene, rendered without a window and compared with rays traced in the same run. "
-        "In a difference, red is light that should be shadow, blue is shadow that should be light.</p>\n", kStyle);
+        "<p>Every reference solution on every scene, rendered without a window and compared with "
+        "rays traced in the same run. "
+        "In a difference, red is light that should be shadow, blue is shadow that should be "
+        "light.</p>\n",
+        kStyle);
     for (const DemoGrade& g : page.grades) {
-        html += fmt::format("<h2>{}</h2>\n<p>The solution's grade: <a href=\"grades/{}\">{:g} of 100</a>, in {:.0f} s.</p>\n<div class=\"grid\">\n",
-                            g.assignment, g.report, g.score, g.seconds);
+        html += fmt::format(
+            "<h2>{}</h2>\n<p>The solution's grade: <a href=\"grades/{}\">{:g} of 100</a>, in "
+            "{:.0f} s.</p>\n<div class=\"grid\">\n",
+            g.assignment, g.report, g.score, g.seconds);
         for (const DemoCard& c : page.cards)
             if (c.assignment == g.assignment) html += cardHtml(c);
         html += "</div>\n";

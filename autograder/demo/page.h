@@ -21,7 +21,7 @@ struct DemoCard {
     std::size_t triangles = 0;
     std::map<std::string, double> milliseconds;  // by pass
     Metrics metrics;                             // of visibility against rays
-    std::string stem;                            // pictures/<stem>-color.png, -mine, -truth, -difference
+    std::string stem;  // pictures/<stem>-color.png, -mine, -truth, -difference
 };
 
 struct DemoPage {

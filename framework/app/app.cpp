@@ -35,9 +35,11 @@ struct Options {
     std::vector<std::string> layers, settings, images, scenes;
     std::string size = "512x512", out, frameFile, chunk, expression, inputs;
     int repetitions = 15;
+    bool warm = false;
 };
 
-std::vector<std::filesystem::path> variantFolders(const std::string& builtIn, const std::vector<std::string>& added) {
+std::vector<std::filesystem::path> variantFolders(const std::string& builtIn,
+                                                  const std::vector<std::string>& added) {
     std::vector<std::filesystem::path> folders;
     for (std::size_t start = 0; start <= builtIn.size();) {
         const std::size_t end = std::min(builtIn.find('|', start), builtIn.size());
@@ -64,8 +66,8 @@ void printSettings(Assignment& assignment) {
         std::string range = fmt::format("{} … {}", s.minimum, s.maximum);
         if (s.kind == Setting::Kind::choice) range = fmt::format("{}", fmt::join(s.choices, " | "));
         if (s.kind == Setting::Kind::toggle) range = "off | on";
-        fmt::print("    {:<18} {:<34} default {:<8} {}{}{}\n", s.name, range + (s.unit.empty() ? "" : " " + s.unit),
-                   Settings::text(s), s.help, "", "");
+        fmt::print("    {:<18} {:<34} default {:<8} {}{}{}\n", s.name,
+                   range + (s.unit.empty() ? "" : " " + s.unit), Settings::text(s), s.help, "", "");
     }
 }
 
@@ -103,7 +105,8 @@ void run(const std::string& command, const Options& options, const std::string& 
     }
     const glm::ivec2 size = parseSize(options.size);
     if (command == "open") {
-        const auto context = createContext(Backend::window, {.width = 1440, .height = 900, .visible = true});
+        const auto context =
+            createContext(Backend::window, {.width = 1440, .height = 900, .visible = true});
         Session session = openSession(options, variant, make);
         runViewer(session, *context);
         return;
@@ -112,12 +115,16 @@ void run(const std::string& command, const Options& options, const std::string& 
     Session session = openSession(options, variant, make);
     if (command == "benchmark") {
         printBenchmark(session, *context, size,
-                       options.scenes.empty() ? std::vector<std::string>{"boxes", "fence", "foliage", "stairs"} : options.scenes,
+                       options.scenes.empty()
+                           ? std::vector<std::string>{"boxes", "fence", "foliage", "stairs"}
+                           : options.scenes,
                        options.repetitions);
         return;
     }
     if (options.frameFile.empty() == options.out.empty())
-        throw Error("nowhere to write", "render", "give --out DIR (or --frame-file FILE for the grader)");
+        throw Error("nowhere to write", "render",
+                    "give --out DIR (or --frame-file FILE for the grader)");
+    if (options.warm) session.render(size, wantedImages(options));
     if (!options.frameFile.empty())
         renderToFrameFile(session, *context, size, wantedImages(options), options.frameFile);
     else
@@ -131,18 +138,23 @@ glm::ivec2 parseSize(const std::string& text) {
     const char* end = text.data() + text.size();
     const auto [x, error] = std::from_chars(text.data(), end, width);
     const bool cross = error == std::errc() && x != end && *x == 'x';
-    const auto [last, error2] = cross ? std::from_chars(x + 1, end, height) : std::from_chars_result{x, std::errc::invalid_argument};
-    if (error2 != std::errc() || last != end || width < 1 || height < 1 || width > 8192 || height > 8192)
-        throw Error("'" + text + "' is not a size", "--size", "write WxH with 1 to 8192 pixels a side, such as 512x512");
+    const auto [last, error2] = cross ? std::from_chars(x + 1, end, height)
+                                      : std::from_chars_result{x, std::errc::invalid_argument};
+    if (error2 != std::errc() || last != end || width < 1 || height < 1 || width > 8192 ||
+        height > 8192)
+        throw Error("'" + text + "' is not a size", "--size",
+                    "write WxH with 1 to 8192 pixels a side, such as 512x512");
     return {width, height};
 }
 
-int runAssignment(int argc, char** argv, const std::string& layers, std::unique_ptr<Assignment> (*make)()) {
+int runAssignment(int argc, char** argv, const std::string& layers,
+                  std::unique_ptr<Assignment> (*make)()) {
     CLI::App app("One assignment of the Penumbra course");
     app.require_subcommand(1);
     Options o;
     const auto common = [&](CLI::App* sub) {
-        sub->add_option("--layer", o.layers, "folder whose .glsl files replace those of the same name");
+        sub->add_option("--layer", o.layers,
+                        "folder whose .glsl files replace those of the same name");
         sub->add_option("--set", o.settings, "name=value; see list");
     };
     auto* open = app.add_subcommand("open", "the window");
@@ -152,11 +164,13 @@ int runAssignment(int argc, char** argv, const std::string& layers, std::unique_
     app.add_subcommand("list", "settings with range and unit");
     for (auto* sub : {open, render, benchmark, evaluateCommand}) common(sub);
     for (auto* sub : {open, render, benchmark})
-        sub->add_option("--scene", o.scenes, "built-in name, installed model, or path to a .glb or .gltf");
+        sub->add_option("--scene", o.scenes,
+                        "built-in name, installed model, or path to a .glb or .gltf");
     for (auto* sub : {render, benchmark}) sub->add_option("--size", o.size, "WxH");
     render->add_option("--out", o.out, "folder for the images and frame.json");
     render->add_option("--image", o.images, "only these images");
     render->add_option("--frame-file", o.frameFile, "one file for the grader");
+    render->add_flag("--warm", o.warm, "draw once before: times then hold no shader compilation");
     benchmark->add_option("--repeat", o.repetitions, "measured rounds")->check(CLI::Range(1, 1000));
     evaluateCommand->add_option("--chunk", o.chunk)->required();
     evaluateCommand->add_option("--expression", o.expression)->required();

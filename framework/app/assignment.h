@@ -1,7 +1,8 @@
 // The one seam of the course: what window, headless render, grader and study know of a technique.
 //
 //   struct ShadowMap final : Assignment { … };
-//   std::unique_ptr<Assignment> makeAssignment() { return std::make_unique<ShadowMap>(); }  // given/
+//   std::unique_ptr<Assignment> makeAssignment() { return std::make_unique<ShadowMap>(); }  //
+//   given/
 //
 // One per program. A GL context is current whenever render() or the destructor runs.
 #pragma once

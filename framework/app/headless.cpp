@@ -22,7 +22,8 @@ namespace penumbra {
 namespace {
 
 std::map<std::string, std::string> infoStrings(Session& session, const Context& context) {
-    return {{"light_model", session.assignment().lightModel() == LightModel::point ? "point" : "square"},
+    return {{"light_model",
+             session.assignment().lightModel() == LightModel::point ? "point" : "square"},
             {"context", context.backend()},
             {"renderer", context.renderer()},
             {"version", context.version()},
@@ -42,7 +43,8 @@ Image stretched(const Image& image) {
 }
 
 void savePicture(const std::filesystem::path& path, const std::string& name, const Image& image) {
-    const bool depth = name.find("depth") != std::string::npos || name.find("map") != std::string::npos;
+    const bool depth =
+        name.find("depth") != std::string::npos || name.find("map") != std::string::npos;
     savePng(path, depth && image.channels == 1 ? stretched(image) : image,
             name == "color" ? Encoding::srgb : Encoding::linear);
 }
@@ -50,7 +52,9 @@ void savePicture(const std::filesystem::path& path, const std::string& name, con
 double cpuMilliseconds() { return 1e3 * double(std::clock()) / CLOCKS_PER_SEC; }
 
 double wallMilliseconds() {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
+    return std::chrono::duration<double, std::milli>(
+               std::chrono::steady_clock::now().time_since_epoch())
+        .count();
 }
 
 struct Spread {
@@ -76,7 +80,8 @@ double rmseAgainstRays(Session& session, glm::ivec2 size) {
 }  // namespace
 
 void renderToFolder(Session& session, const Context& context, glm::ivec2 size,
-                    const std::optional<std::set<std::string>>& wanted, const std::filesystem::path& out) {
+                    const std::optional<std::set<std::string>>& wanted,
+                    const std::filesystem::path& out) {
     const Frame frame = session.render(size, wanted);
     const auto images = frame.read();
     throwOnGlErrors();
@@ -89,7 +94,8 @@ void renderToFolder(Session& session, const Context& context, glm::ivec2 size,
     for (const auto& [key, value] : infoStrings(session, context)) json["gl"][key] = value;
     for (const auto& [name, image] : images) {
         if (const auto bad = nonFiniteCount(image))
-            throw Error(fmt::format("{} of {} values are not finite", bad, image.pixels.size()), "image " + name,
+            throw Error(fmt::format("{} of {} values are not finite", bad, image.pixels.size()),
+                        "image " + name,
                         "look for a division by zero or the root of a negative number");
         json["images"][name] = {image.width, image.height, image.channels};
     }
@@ -103,9 +109,12 @@ void renderToFolder(Session& session, const Context& context, glm::ivec2 size,
 }
 
 void renderToFrameFile(Session& session, const Context& context, glm::ivec2 size,
-                       const std::optional<std::set<std::string>>& wanted, const std::filesystem::path& file) {
+                       const std::optional<std::set<std::string>>& wanted,
+                       const std::filesystem::path& file) {
     const Frame frame = session.render(size, wanted);
-    FrameFile result{.images = frame.read(), .milliseconds = frame.milliseconds(), .info = infoStrings(session, context)};
+    FrameFile result{.images = frame.read(),
+                     .milliseconds = frame.milliseconds(),
+                     .info = infoStrings(session, context)};
     throwOnGlErrors();
     saveFrameFile(file, result);
 }
@@ -116,7 +125,8 @@ void printBenchmark(Session& session, const Context& context, glm::ivec2 size,
     fmt::print("{} · {} · {}x{} · {} repetitions · {} milliseconds, minimum / median / maximum\n",
                context.renderer(), context.backend(), size.x, size.y, repetitions,
                context.software() ? "process CPU" : "wall-clock");
-    fmt::print("{:<20} {:>24} {:>24} {:>24} {:>8}\n", "scene", "floor", "frame", "frame / floor", "RMSE");
+    fmt::print("{:<20} {:>24} {:>24} {:>24} {:>8}\n", "scene", "floor", "frame", "frame / floor",
+               "RMSE");
     for (const std::string& name : scenes) {
         session.open(loadScene(name));
         FloorPasses floorPasses(1024);
@@ -128,7 +138,8 @@ void printBenchmark(Session& session, const Context& context, glm::ivec2 size,
             return now() - start;
         };
         std::vector<double> floors, frames, ratios;
-        for (int i = -2; i < repetitions; ++i) {  // two rounds to warm up: shaders compile at the first draw
+        for (int i = -2; i < repetitions;
+             ++i) {  // two rounds to warm up: shaders compile at the first draw
             const double before = measure([&] { floorPasses.render(session.view(size)); });
             const double mine = measure([&] { session.render(size, {{"color"}}); });
             const double after = measure([&] { floorPasses.render(session.view(size)); });
@@ -137,9 +148,11 @@ void printBenchmark(Session& session, const Context& context, glm::ivec2 size,
             frames.push_back(mine);
             ratios.push_back(mine / floors.back());
         }
-        const auto text = [](const Spread& s) { return fmt::format("{:.2f} / {:.2f} / {:.2f}", s.minimum, s.median, s.maximum); };
-        fmt::print("{:<20} {:>24} {:>24} {:>24} {:>8.4f}\n", name, text(spread(floors)), text(spread(frames)), text(spread(ratios)),
-                   rmseAgainstRays(session, size));
+        const auto text = [](const Spread& s) {
+            return fmt::format("{:.2f} / {:.2f} / {:.2f}", s.minimum, s.median, s.maximum);
+        };
+        fmt::print("{:<20} {:>24} {:>24} {:>24} {:>8.4f}\n", name, text(spread(floors)),
+                   text(spread(frames)), text(spread(ratios)), rmseAgainstRays(session, size));
         std::fflush(stdout);
     }
     throwOnGlErrors();

@@ -13,14 +13,17 @@ namespace penumbra {
 
 // One .exr and .png per named image and frame.json, all of them or none.
 void renderToFolder(Session& session, const Context& context, glm::ivec2 size,
-                    const std::optional<std::set<std::string>>& wanted, const std::filesystem::path& out);
+                    const std::optional<std::set<std::string>>& wanted,
+                    const std::filesystem::path& out);
 
 // The wanted images in one core/frame_file.h file.
 void renderToFrameFile(Session& session, const Context& context, glm::ivec2 size,
-                       const std::optional<std::set<std::string>>& wanted, const std::filesystem::path& file);
+                       const std::optional<std::set<std::string>>& wanted,
+                       const std::filesystem::path& file);
 
-// Speed against error: cost in floors and RMSE against rays of each scene, printed as a table: frame and floor interleaved, medians and spread of
-// process CPU time on a software rasteriser, of the wall clock on a GPU.
+// Speed against error: cost in floors and RMSE against rays of each scene, printed as a table:
+// frame and floor interleaved, medians and spread of process CPU time on a software rasteriser, of
+// the wall clock on a GPU.
 void printBenchmark(Session& session, const Context& context, glm::ivec2 size,
                     const std::vector<std::string>& scenes, int repetitions);
 

@@ -23,7 +23,8 @@ public:
     void open(Scene scene);  // camera and light become the scene's
     void openDefault() { open(assignment_->scene()); }
 
-    // Throws Error when a shader has no good form yet. The frame's textures live until the next call.
+    // Throws Error when a shader has no good form yet. The frame's textures live until the next
+    // call.
     Frame render(glm::ivec2 size, std::optional<std::set<std::string>> wanted = std::nullopt);
     // The floor of the same view (render/passes.h).
     View view(glm::ivec2 size) const;
@@ -44,8 +45,8 @@ private:
     std::unique_ptr<GpuScene> gpuScene_;
 };
 
-// framework/shaders, the variant's folders in order, and given/ of the first of them on top: what is given is
-// never replaced.
+// framework/shaders, the variant's folders in order, and given/ of the first of them on top: what
+// is given is never replaced.
 Layers shaderLayers(const std::vector<std::filesystem::path>& variant);
 
 }  // namespace penumbra

@@ -1,5 +1,5 @@
-// Every shader of every variant is GLSL 4.10 in the eyes of the reference compiler, which is stricter than
-// Mesa: Mesa compiles #version 450 in a 4.1 context.
+// Every shader of every variant is GLSL 4.10 in the eyes of the reference compiler, which is
+// stricter than Mesa: Mesa compiles #version 450 in a 4.1 context.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -48,7 +48,8 @@ std::vector<Variant> variants() {
 }
 
 std::string validate(const ShaderSource& source, const std::string& extension) {
-    const fs::path file = fs::path(testing::TempDir()) / fmt::format("shader-{}.{}", getpid(), extension);
+    const fs::path file =
+        fs::path(testing::TempDir()) / fmt::format("shader-{}.{}", getpid(), extension);
     std::ofstream(file) << source.text;
     FILE* pipe = popen(("glslangValidator " + file.string() + " 2>&1").c_str(), "r");
     std::string log;

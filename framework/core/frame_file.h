@@ -33,8 +33,9 @@ struct FrameFileLimits {
 // Written to a temporary name and renamed. Throws Error.
 void saveFrameFile(const std::filesystem::path& path, const FrameFile& frame);
 
-// Throws Error that names what is wrong: missing, too large, cut short, trailing bytes, a bad header.
-// Non-finite values are kept: the caller asks nonFiniteCount() so that its message can say where.
+// Throws Error that names what is wrong: missing, too large, cut short, trailing bytes, a bad
+// header. Non-finite values are kept: the caller asks nonFiniteCount() so that its message can say
+// where.
 FrameFile loadFrameFile(const std::filesystem::path& path, const FrameFileLimits& limits = {});
 
 }  // namespace penumbra

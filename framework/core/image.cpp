@@ -24,8 +24,7 @@ namespace penumbra {
 
 namespace {
 
-const char* const kChannelNames[4][4] = {
-    {"Y"}, {"R", "G"}, {"R", "G", "B"}, {"R", "G", "B", "A"}};
+const char* const kChannelNames[4][4] = {{"Y"}, {"R", "G"}, {"R", "G", "B"}, {"R", "G", "B", "A"}};
 
 std::filesystem::path temporaryName(const std::filesystem::path& path) {
     return std::filesystem::path(path).concat(".part");
@@ -61,7 +60,9 @@ float& Image::at(int x, int y, int channel) {
                   std::size_t(channel)];
 }
 
-float Image::at(int x, int y, int channel) const { return const_cast<Image*>(this)->at(x, y, channel); }
+float Image::at(int x, int y, int channel) const {
+    return const_cast<Image*>(this)->at(x, y, channel);
+}
 
 bool Image::sameShape(const Image& other) const {
     return width == other.width && height == other.height && channels == other.channels;
@@ -79,7 +80,8 @@ void saveExr(const std::filesystem::path& path, const Image& image) {
         Imf::Header header(image.width, image.height);
         header.compression() = Imf::ZIP_COMPRESSION;
         for (int c = 0; c < image.channels; ++c)
-            header.channels().insert(kChannelNames[image.channels - 1][c], Imf::Channel(Imf::FLOAT));
+            header.channels().insert(kChannelNames[image.channels - 1][c],
+                                     Imf::Channel(Imf::FLOAT));
         Imf::OutputFile file(part.string().c_str(), header);
         file.setFrameBuffer(frameBuffer(const_cast<Image&>(image)));
         file.writePixels(image.height);
@@ -96,9 +98,10 @@ Image loadExr(const std::filesystem::path& path) {
         Imf::InputFile file(path.string().c_str());
         const auto window = file.header().dataWindow();
         const auto& channels = file.header().channels();
-        const int count = channels.findChannel("A") ? 4 : channels.findChannel("B") ? 3
-                                                      : channels.findChannel("G")   ? 2
-                                                                                    : 1;
+        const int count = channels.findChannel("A")   ? 4
+                          : channels.findChannel("B") ? 3
+                          : channels.findChannel("G") ? 2
+                                                      : 1;
         if (count == 1 && !channels.findChannel("Y"))
             throw std::runtime_error("it has neither a Y channel nor R and G");
         Image image(window.max.x - window.min.x + 1, window.max.y - window.min.y + 1, count);
@@ -138,7 +141,8 @@ void savePng(const std::filesystem::path& path, const Image& image, Encoding enc
     std::ofstream file(part, std::ios::binary);
     file.write(reinterpret_cast<const char*>(png.data()), std::streamsize(png.size()));
     file.close();
-    if (!file) throw Error("cannot write image", path.string(), "check that the folder is writable");
+    if (!file)
+        throw Error("cannot write image", path.string(), "check that the folder is writable");
     std::filesystem::rename(part, path);
 }
 

@@ -26,7 +26,7 @@ TEST(Layers, ANameNeverLeavesItsFolder) {
     folder.write("handout/a.glsl", "");
     const Layers layers({folder / "handout"});
     for (const std::string& name : {std::string("../secret"), std::string(""), std::string("."),
-                                   std::string(".."), (folder / "secret").string()})
+                                    std::string(".."), (folder / "secret").string()})
         EXPECT_EQ(layers.find(name), std::nullopt) << name;
 }
 

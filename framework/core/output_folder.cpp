@@ -27,7 +27,8 @@ void OutputFolder::commit() {
     for (const auto& entry : fs::directory_iterator(part_)) {
         const fs::path place = target_ / entry.path().filename();
         std::error_code error;
-        if (entry.is_directory()) fs::remove_all(place, error);  // a folder does not replace a full one
+        if (entry.is_directory())
+            fs::remove_all(place, error);  // a folder does not replace a full one
         fs::rename(entry.path(), place, error);
         if (error) throw Error("cannot move a result into place", place.string(), error.message());
     }

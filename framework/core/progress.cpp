@@ -50,8 +50,8 @@ void Progress::draw(bool last) {
         const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
         const double left = part > 0 ? elapsed * (1 - part) / part : 0;
         fmt::print(stderr, "\r{:<28} [{}{}] {:3.0f} %  {:.0f} s left \033[K", label_,
-                   std::string(std::size_t(full), '#'), std::string(std::size_t(kWidth - full), '.'),
-                   100 * part, left);
+                   std::string(std::size_t(full), '#'),
+                   std::string(std::size_t(kWidth - full), '.'), 100 * part, left);
         if (last) fmt::print(stderr, "\n");
     } else if (const int tenth = int(10 * part); tenth > lastTenth_) {
         lastTenth_ = tenth;

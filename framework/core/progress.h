@@ -1,6 +1,6 @@
 // A progress bar on stderr for work that a person waits for: a live bar on a terminal, a line for
-// every tenth part in a log file, nothing for work that ends within half a second. A quiet one draws
-// nothing: the viewer shows fraction() itself.
+// every tenth part in a log file, nothing for work that ends within half a second. A quiet one
+// draws nothing: the viewer shows fraction() itself.
 //
 //   Progress progress("tracing", rows);
 //   … progress.advance();   // from any thread

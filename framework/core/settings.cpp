@@ -12,7 +12,9 @@ namespace penumbra {
 
 namespace {
 
-std::string names(const std::vector<std::string>& list) { return fmt::format("{}", fmt::join(list, ", ")); }
+std::string names(const std::vector<std::string>& list) {
+    return fmt::format("{}", fmt::join(list, ", "));
+}
 
 double parse(const Setting& s, std::string_view text) {
     if (s.kind == Setting::Kind::choice) {
@@ -31,7 +33,8 @@ double parse(const Setting& s, std::string_view text) {
                                 s.kind == Setting::Kind::number    ? "a number"
                                 : s.kind == Setting::Kind::integer ? "a whole number"
                                                                    : "on or off"),
-                    "setting " + s.name, fmt::format("give a value from {} to {}", s.minimum, s.maximum));
+                    "setting " + s.name,
+                    fmt::format("give a value from {} to {}", s.minimum, s.maximum));
     if (value < s.minimum || value > s.maximum)
         throw Error(fmt::format("{} is out of range", value), "setting " + s.name,
                     fmt::format("give a value from {} to {}{}{}", s.minimum, s.maximum,
@@ -47,7 +50,8 @@ void Settings::declare(Setting setting, Setting::Kind kind) {
     if (kind == Setting::Kind::toggle) setting.minimum = 0, setting.maximum = 1;
     if (kind == Setting::Kind::choice)
         setting.minimum = 0, setting.maximum = double(setting.choices.size()) - 1;
-    EXPECTS(!setting.name.empty() && setting.minimum <= setting.value && setting.value <= setting.maximum);
+    EXPECTS(!setting.name.empty() && setting.minimum <= setting.value &&
+            setting.value <= setting.maximum);
     for (const auto& other : settings_) EXPECTS(other.name != setting.name);
     settings_.push_back(std::move(setting));
 }

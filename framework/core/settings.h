@@ -16,15 +16,15 @@ namespace penumbra {
 struct Setting {
     enum class Kind { number, integer, toggle, choice };
 
-    std::string name;                  // snake_case; the flag is --set name=value
-    std::string help;                  // one line
-    std::string unit = "";             // texels, world units, degrees; "" = a pure number
+    std::string name;       // snake_case; the flag is --set name=value
+    std::string help;       // one line
+    std::string unit = "";  // texels, world units, degrees; "" = a pure number
     double minimum = 0.0;
     double maximum = 1.0;
-    double value = 0.0;                // the default, then the current value; index for a choice
+    double value = 0.0;  // the default, then the current value; index for a choice
     std::vector<std::string> choices = {};
-    Kind kind = Kind::number;          // set by the declaring call
-    double initial = 0.0;              // likewise: the declared value, what a reset goes back to
+    Kind kind = Kind::number;  // set by the declaring call
+    double initial = 0.0;      // likewise: the declared value, what a reset goes back to
 };
 
 class Settings {

@@ -13,9 +13,10 @@ namespace {
 
 std::string firstGlError;
 
-void GLAD_API_PTR onDebugMessage(GLenum source, GLenum type, GLuint, GLenum, GLsizei, const GLchar* message,
-                                 const void*) {
-    // A shader that does not compile is the info log's matter and was thrown with the student's own line.
+void GLAD_API_PTR onDebugMessage(GLenum source, GLenum type, GLuint, GLenum, GLsizei,
+                                 const GLchar* message, const void*) {
+    // A shader that does not compile is the info log's matter and was thrown with the student's own
+    // line.
     if (source == GL_DEBUG_SOURCE_SHADER_COMPILER) return;
     if (type == GL_DEBUG_TYPE_ERROR && firstGlError.empty()) firstGlError = message;
 }
@@ -35,8 +36,8 @@ std::string Context::vendor() const { return glString(GL_VENDOR); }
 
 bool Context::software() const {
     const std::string name = renderer();
-    return name.find("llvmpipe") != std::string::npos || name.find("softpipe") != std::string::npos ||
-           name.find("swrast") != std::string::npos;
+    return name.find("llvmpipe") != std::string::npos ||
+           name.find("softpipe") != std::string::npos || name.find("swrast") != std::string::npos;
 }
 
 void Context::load(Loader loader) {
@@ -64,20 +65,28 @@ void throwOnGlErrors() {
 
 std::string backendName(Backend backend) {
     switch (backend) {
-        case Backend::window: return "window";
-        case Backend::osmesa: return "osmesa";
-        case Backend::eglSurfaceless: return "egl-surfaceless";
-        case Backend::eglDevice: return "egl-device";
+        case Backend::window:
+            return "window";
+        case Backend::osmesa:
+            return "osmesa";
+        case Backend::eglSurfaceless:
+            return "egl-surfaceless";
+        case Backend::eglDevice:
+            return "egl-device";
     }
     return "";
 }
 
 std::unique_ptr<Context> createContext(Backend backend, const WindowOptions& options) {
     switch (backend) {
-        case Backend::window: return createWindowContext(options);
-        case Backend::osmesa: return createOsmesaContext();
-        case Backend::eglSurfaceless: return createEglContext(false);
-        case Backend::eglDevice: return createEglContext(true);
+        case Backend::window:
+            return createWindowContext(options);
+        case Backend::osmesa:
+            return createOsmesaContext();
+        case Backend::eglSurfaceless:
+            return createEglContext(false);
+        case Backend::eglDevice:
+            return createEglContext(true);
     }
     return nullptr;
 }
@@ -90,7 +99,8 @@ std::unique_ptr<Context> createHeadlessContext() {
             order = {Backend::eglDevice, Backend::eglSurfaceless};
         } else {
             order.clear();
-            for (const Backend b : {Backend::window, Backend::osmesa, Backend::eglSurfaceless, Backend::eglDevice})
+            for (const Backend b :
+                 {Backend::window, Backend::osmesa, Backend::eglSurfaceless, Backend::eglDevice})
                 if (backendName(b) == name) order = {b};
             if (order.empty())
                 throw Error("no such OpenGL back end '" + name + "'", "PENUMBRA_CONTEXT",
@@ -103,7 +113,8 @@ std::unique_ptr<Context> createHeadlessContext() {
         } catch (const Error& e) {
             reasons += (reasons.empty() ? "" : " | ") + std::string(e.what());
         }
-    throw Error("no OpenGL without a window", reasons, "install libosmesa6 or libegl1 with Mesa's drivers");
+    throw Error("no OpenGL without a window", reasons,
+                "install libosmesa6 or libegl1 with Mesa's drivers");
 }
 
 }  // namespace penumbra

@@ -25,7 +25,7 @@ public:
     Context(const Context&) = delete;
     Context& operator=(const Context&) = delete;
 
-    virtual std::string backend() const = 0;          // window, osmesa, egl-surfaceless, egl-device
+    virtual std::string backend() const = 0;  // window, osmesa, egl-surfaceless, egl-device
     virtual GLFWwindow* window() const { return nullptr; }
 
     std::string renderer() const;  // GL_RENDERER

@@ -39,8 +39,8 @@ struct Egl {
     unsigned (*destroyContext)(Display, Handle);
     unsigned (*makeCurrent)(Display, Handle, Handle, Handle);
     Display (*getPlatformDisplay)(Enum, void*, const int*);
-    unsigned (*queryDevices)(int, Handle*, int*);             // EGL_EXT_device_enumeration, may be null
-    const char* (*queryDeviceString)(Handle, int);            // EGL_EXT_device_query, may be null
+    unsigned (*queryDevices)(int, Handle*, int*);   // EGL_EXT_device_enumeration, may be null
+    const char* (*queryDeviceString)(Handle, int);  // EGL_EXT_device_query, may be null
 };
 
 template <typename Function>
@@ -66,10 +66,11 @@ const Egl& egl() {
             f.getProcAddress("eglGetPlatformDisplayEXT"));
         f.queryDevices =
             reinterpret_cast<decltype(f.queryDevices)>(f.getProcAddress("eglQueryDevicesEXT"));
-        f.queryDeviceString =
-            reinterpret_cast<decltype(f.queryDeviceString)>(f.getProcAddress("eglQueryDeviceStringEXT"));
+        f.queryDeviceString = reinterpret_cast<decltype(f.queryDeviceString)>(
+            f.getProcAddress("eglQueryDeviceStringEXT"));
         if (!f.getPlatformDisplay)
-            throw Error("EGL lacks platform displays", "libEGL.so.1", "update Mesa or the GPU's driver");
+            throw Error("EGL lacks platform displays", "libEGL.so.1",
+                        "update Mesa or the GPU's driver");
         return f;
     }();
     return functions;
@@ -81,10 +82,12 @@ Handle gpuDevice() {
     int count = 0;
     if (!egl().queryDevices || !egl().queryDevices(16, devices, &count)) count = 0;
     for (int i = 0; i < count; ++i) {
-        const char* extensions = egl().queryDeviceString ? egl().queryDeviceString(devices[i], kExtensions) : nullptr;
+        const char* extensions =
+            egl().queryDeviceString ? egl().queryDeviceString(devices[i], kExtensions) : nullptr;
         if (!extensions || !std::strstr(extensions, "EGL_MESA_device_software")) return devices[i];
     }
-    throw Error("no GPU among the EGL devices", "eglQueryDevicesEXT", "use egl-surfaceless or osmesa");
+    throw Error("no GPU among the EGL devices", "eglQueryDevicesEXT",
+                "use egl-surfaceless or osmesa");
 }
 
 class EglContext final : public Context {
@@ -94,7 +97,8 @@ public:
                           : egl().getPlatformDisplay(kPlatformSurfaceless, nullptr, nullptr);
         int major = 0, minor = 0;
         if (!display_ || !egl().initialize(display_, &major, &minor) || !egl().bindApi(kOpenGlApi))
-            throw Error("EGL display does not start", backend(), "install libgl1-mesa-dri or the GPU's driver");
+            throw Error("EGL display does not start", backend(),
+                        "install libgl1-mesa-dri or the GPU's driver");
         const int wanted[] = {kSurfaceType, kPbufferBit, kRenderableType, kOpenGlBit, kNone};
         Handle config = nullptr;
         int count = 0;
@@ -103,7 +107,8 @@ public:
         context_ = egl().createContext(display_, count ? config : nullptr, nullptr, attributes);
         if (!context_ || !egl().makeCurrent(display_, nullptr, nullptr, context_)) {
             release();
-            throw Error("EGL gives no OpenGL 4.1 core context", backend(), "update Mesa or the GPU's driver");
+            throw Error("EGL gives no OpenGL 4.1 core context", backend(),
+                        "update Mesa or the GPU's driver");
         }
         load(egl().getProcAddress);
     }
@@ -123,7 +128,9 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Context> createEglContext(bool device) { return std::make_unique<EglContext>(device); }
+std::unique_ptr<Context> createEglContext(bool device) {
+    return std::make_unique<EglContext>(device);
+}
 #endif
 
 }  // namespace penumbra

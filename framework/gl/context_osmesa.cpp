@@ -1,4 +1,5 @@
-// OSMesa is opened at run time, so that one binary serves where it is missing. [Mesa OSMesa/osmesa.h]
+// OSMesa is opened at run time, so that one binary serves where it is missing. [Mesa
+// OSMesa/osmesa.h]
 #include "core/error.h"
 #include "gl/context.h"
 
@@ -35,13 +36,15 @@ const Osmesa& osmesa() {
         Osmesa f{};
         f.createContextAttribs = reinterpret_cast<decltype(f.createContextAttribs)>(
             dlsym(library, "OSMesaCreateContextAttribs"));
-        f.makeCurrent = reinterpret_cast<decltype(f.makeCurrent)>(dlsym(library, "OSMesaMakeCurrent"));
+        f.makeCurrent =
+            reinterpret_cast<decltype(f.makeCurrent)>(dlsym(library, "OSMesaMakeCurrent"));
         f.destroyContext =
             reinterpret_cast<decltype(f.destroyContext)>(dlsym(library, "OSMesaDestroyContext"));
         f.getProcAddress =
             reinterpret_cast<decltype(f.getProcAddress)>(dlsym(library, "OSMesaGetProcAddress"));
         if (!f.createContextAttribs || !f.makeCurrent || !f.destroyContext || !f.getProcAddress)
-            throw Error("OSMesa lacks a function", "libOSMesa.so.8", "install libosmesa6 22 or newer");
+            throw Error("OSMesa lacks a function", "libOSMesa.so.8",
+                        "install libosmesa6 22 or newer");
         return f;
     }();
     return functions;
@@ -50,9 +53,18 @@ const Osmesa& osmesa() {
 class OsmesaContext final : public Context {
 public:
     OsmesaContext() {
-        const int attributes[] = {kOsmesaFormat,      kOsmesaRgba, kOsmesaDepthBits,   0,
-                                  kOsmesaStencilBits, 0,           kOsmesaProfile,     kOsmesaCoreProfile,
-                                  kOsmesaMajor,       4,           kOsmesaMinor,       1,
+        const int attributes[] = {kOsmesaFormat,
+                                  kOsmesaRgba,
+                                  kOsmesaDepthBits,
+                                  0,
+                                  kOsmesaStencilBits,
+                                  0,
+                                  kOsmesaProfile,
+                                  kOsmesaCoreProfile,
+                                  kOsmesaMajor,
+                                  4,
+                                  kOsmesaMinor,
+                                  1,
                                   0};
         context_ = osmesa().createContextAttribs(attributes, nullptr);
         if (!context_ || !osmesa().makeCurrent(context_, pixels_, GL_UNSIGNED_BYTE, kSide, kSide)) {

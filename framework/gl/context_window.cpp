@@ -19,13 +19,15 @@ class WindowContext final : public Context {
 public:
     explicit WindowContext(const WindowOptions& options) {
         if (!glfwInit())
-            throw Error("no window system", glfwReason(), "start it in a desktop session, or use ./course render");
+            throw Error("no window system", glfwReason(),
+                        "start it in a desktop session, or use ./course render");
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 1);
         glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
         glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);  // macOS asks for it
         glfwWindowHint(GLFW_VISIBLE, options.visible ? GLFW_TRUE : GLFW_FALSE);
-        window_ = glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr, nullptr);
+        window_ = glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr,
+                                   nullptr);
         if (!window_) {
             const std::string reason = glfwReason();
             glfwTerminate();

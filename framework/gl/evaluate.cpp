@@ -55,13 +55,15 @@ Image evaluateGlsl(const Layers& layers, const std::string& chunk, const std::st
     for (const auto& [name, image] : inputs) {
         EXPECTS(image.sameShape(first) && image.channels == 4);
         declarations += fmt::format("uniform sampler2D input_{};\n", name);
-        reads += fmt::format("    vec4 {0} = texelFetch(input_{0}, ivec2(gl_FragCoord.xy), 0);\n", name);
+        reads +=
+            fmt::format("    vec4 {0} = texelFetch(input_{0}, ivec2(gl_FragCoord.xy), 0);\n", name);
     }
     // Behind the chunk, so that its line table stays right.
-    fragment.text += declarations + "layout(location = 0) out vec4 result;\nvoid main() {\n" + reads +
-                     "    result = " + expression + ";\n}\n";
+    fragment.text += declarations + "layout(location = 0) out vec4 result;\nvoid main() {\n" +
+                     reads + "    result = " + expression + ";\n}\n";
     const TextProgram program(
-        "#version 410 core\nvoid main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, "
+        "#version 410 core\nvoid main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> "
+        "1) * 4.0 - 1.0, "
         "0.0, 1.0); }\n",
         fragment);
 
@@ -70,7 +72,8 @@ Image evaluateGlsl(const Layers& layers, const std::string& chunk, const std::st
     const Framebuffer target({.colors = {&output}});
     std::vector<Texture> textures;  // all made before the first is bound: making one binds it too
     for (const auto& [name, image] : inputs) {
-        textures.emplace_back(TextureDescription{.size = size, .format = GL_RGBA32F, .label = name});
+        textures.emplace_back(
+            TextureDescription{.size = size, .format = GL_RGBA32F, .label = name});
         textures.back().upload(image);
     }
     glUseProgram(program.id());

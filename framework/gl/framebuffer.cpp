@@ -27,7 +27,8 @@ Framebuffer::Framebuffer(const FramebufferDescription& description) {
     glReadBuffer(GL_NONE);
     const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE)
-        throw Error("framebuffer is incomplete", description.depth ? description.depth->label() : "colour",
+        throw Error("framebuffer is incomplete",
+                    description.depth ? description.depth->label() : "colour",
                     "attach textures of formats that the driver can draw to");
 }
 

@@ -15,7 +15,8 @@
 namespace penumbra {
 
 struct FramebufferDescription {
-    std::vector<const Texture*> colors = {};  // attachment i receives `layout(location = i) out`; null = thrown away
+    std::vector<const Texture*> colors =
+        {};  // attachment i receives `layout(location = i) out`; null = thrown away
     const Texture* depth = nullptr;
 };
 

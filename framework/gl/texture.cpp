@@ -18,17 +18,22 @@ Transfer transferOf(GLenum internal) {
     switch (internal) {
         case GL_DEPTH_COMPONENT16:
         case GL_DEPTH_COMPONENT24:
-        case GL_DEPTH_COMPONENT32F: return {GL_DEPTH_COMPONENT, 1};
+        case GL_DEPTH_COMPONENT32F:
+            return {GL_DEPTH_COMPONENT, 1};
         case GL_R8:
         case GL_R16F:
-        case GL_R32F: return {GL_RED, 1};
+        case GL_R32F:
+            return {GL_RED, 1};
         case GL_RG8:
         case GL_RG16F:
-        case GL_RG32F: return {GL_RG, 2};
+        case GL_RG32F:
+            return {GL_RG, 2};
         case GL_RGB8:
         case GL_RGB16F:
-        case GL_RGB32F: return {GL_RGB, 3};
-        default: return {GL_RGBA, 4};
+        case GL_RGB32F:
+            return {GL_RGB, 3};
+        default:
+            return {GL_RGBA, 4};
     }
 }
 
@@ -47,7 +52,8 @@ Texture::Texture(const TextureDescription& description) : description_(descripti
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
     const auto [width, height] = std::pair(description.size.x, description.size.y);
     if (width < 1 || height < 1 || width > largest || height > largest)
-        throw Error("texture cannot have " + std::to_string(width) + "x" + std::to_string(height) + " texels",
+        throw Error("texture cannot have " + std::to_string(width) + "x" + std::to_string(height) +
+                        " texels",
                     description.label, "stay within 1 to " + std::to_string(largest));
     glGenTextures(1, &id_);
     glBindTexture(GL_TEXTURE_2D, id_);
@@ -78,11 +84,14 @@ Texture& Texture::operator=(Texture&& other) noexcept {
     return *this;
 }
 
-bool Texture::isDepth() const { return transferOf(description_.format).format == GL_DEPTH_COMPONENT; }
+bool Texture::isDepth() const {
+    return transferOf(description_.format).format == GL_DEPTH_COMPONENT;
+}
 
 void Texture::upload(const Image& image) {
     const Transfer transfer = transferOf(description_.format);
-    EXPECTS(image.width == size().x && image.height == size().y && image.channels == transfer.channels);
+    EXPECTS(image.width == size().x && image.height == size().y &&
+            image.channels == transfer.channels);
     Image flipped = image;
     flipRows(flipped);
     glBindTexture(GL_TEXTURE_2D, id_);

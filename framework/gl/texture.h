@@ -14,12 +14,13 @@
 namespace penumbra {
 
 struct TextureDescription {
-    glm::ivec2 size{0};              // texels, both > 0
-    GLenum format = GL_RGBA32F;      // R/RG/RGB/RGBA 8, 16F, 32F, SRGB8_ALPHA8, DEPTH_COMPONENT16/24/32F
-    GLenum filter = GL_NEAREST;      // GL_NEAREST or GL_LINEAR, level 0 only
+    glm::ivec2 size{0};  // texels, both > 0
+    GLenum format =
+        GL_RGBA32F;  // R/RG/RGB/RGBA 8, 16F, 32F, SRGB8_ALPHA8, DEPTH_COMPONENT16/24/32F
+    GLenum filter = GL_NEAREST;  // GL_NEAREST or GL_LINEAR, level 0 only
     GLenum wrap = GL_CLAMP_TO_EDGE;
-    bool compare = false;            // depth formats: sampler2DShadow, lit where reference <= texel
-    std::string label = "";          // named in error messages
+    bool compare = false;    // depth formats: sampler2DShadow, lit where reference <= texel
+    std::string label = "";  // named in error messages
 };
 
 class Texture {
@@ -30,8 +31,8 @@ public:
     Texture(Texture&& other) noexcept;
     Texture& operator=(Texture&& other) noexcept;
 
-    void upload(const Image& image);                       // same size, channels fit the format
-    void uploadBytes(const unsigned char* rgba);           // 4 bytes a texel, row 0 at v = 0
+    void upload(const Image& image);              // same size, channels fit the format
+    void uploadBytes(const unsigned char* rgba);  // 4 bytes a texel, row 0 at v = 0
     Image read() const;
 
     GLuint id() const { return id_; }

@@ -1,5 +1,5 @@
-// Milliseconds of one pass: timer queries on a GPU; on a software rasteriser, whose queries time one tile
-// only (Mesa 22.3, measured), glFinish and a steady clock.
+// Milliseconds of one pass: timer queries on a GPU; on a software rasteriser, whose queries time
+// one tile only (Mesa 22.3, measured), glFinish and a steady clock.
 //
 //   { PassTimer timing(milliseconds["light"]); … draw … }
 #pragma once

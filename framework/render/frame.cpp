@@ -16,14 +16,16 @@ std::map<std::string, Image> Frame::read() const {
                 std::string known;
                 for (const auto& [other, texture] : textures_) known += " " + other;
                 for (const auto& [other, image] : images_) known += " " + other;
-                throw Error("no image named '" + name + "'", "this assignment's frame", "it hands over:" + known);
+                throw Error("no image named '" + name + "'", "this assignment's frame",
+                            "it hands over:" + known);
             }
     // Textures that draw in four channels because three are not drawable everywhere.
     for (const char* name : {"color"})
         if (auto it = result.find(name); it != result.end() && it->second.channels == 4) {
             Image rgb(it->second.width, it->second.height, 3);
             for (std::size_t i = 0; i < rgb.pixelCount(); ++i)
-                for (std::size_t c = 0; c < 3; ++c) rgb.pixels[3 * i + c] = it->second.pixels[4 * i + c];
+                for (std::size_t c = 0; c < 3; ++c)
+                    rgb.pixels[3 * i + c] = it->second.pixels[4 * i + c];
             it->second = std::move(rgb);
         }
     return result;

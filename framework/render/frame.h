@@ -26,19 +26,20 @@ namespace penumbra {
 // All that a technique may look at. Everything lives at least until render() returns.
 struct View {
     const Scene& scene;
-    const GpuScene& gpuScene;    // the same triangles in buffers
+    const GpuScene& gpuScene;  // the same triangles in buffers
     const Camera& camera;
-    const Light& light;          // scene.lights[0], or where the viewer has dragged it
-    glm::ivec2 size;             // of the camera's images, pixels
+    const Light& light;  // scene.lights[0], or where the viewer has dragged it
+    glm::ivec2 size;     // of the camera's images, pixels
     const Settings& settings;
-    ShaderLibrary& shaders;      // programs from the variant's folders, reloaded on save
+    ShaderLibrary& shaders;  // programs from the variant's folders, reloaded on save
 };
 
 // Named float images and named times.
 class Frame {
 public:
     // Nobody asked: every image is wanted. Otherwise only those named.
-    explicit Frame(std::optional<std::set<std::string>> wanted = std::nullopt) : wanted_(std::move(wanted)) {}
+    explicit Frame(std::optional<std::set<std::string>> wanted = std::nullopt)
+        : wanted_(std::move(wanted)) {}
 
     // A pass runs only if something reads its result: ask before drawing what nobody may look at.
     bool wants(const std::string& name) const { return !wanted_ || wanted_->count(name) > 0; }

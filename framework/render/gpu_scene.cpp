@@ -32,7 +32,9 @@ void uploadAttribute(GLuint buffer, GLuint index, const std::vector<T>& data) {
 GpuScene::GpuScene(const Scene& scene) {
     std::vector<const Mesh*> meshes;
     for (const Mesh& mesh : scene.meshes) meshes.push_back(&mesh);
-    const auto masked = [&](const Mesh* m) { return scene.materials[std::size_t(m->material)].alphaCutoff > 0; };
+    const auto masked = [&](const Mesh* m) {
+        return scene.materials[std::size_t(m->material)].alphaCutoff > 0;
+    };
     std::stable_sort(meshes.begin(), meshes.end(), [&](const Mesh* a, const Mesh* b) {
         return std::pair(masked(a), a->material) < std::pair(masked(b), b->material);
     });
@@ -66,8 +68,8 @@ GpuScene::GpuScene(const Scene& scene) {
     uploadAttribute(buffers_[1], 1, normals);
     uploadAttribute(buffers_[2], 2, uvs);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_[3]);
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(triangles.size() * sizeof(glm::uvec3)), triangles.data(),
-                 GL_STATIC_DRAW);
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(triangles.size() * sizeof(glm::uvec3)),
+                 triangles.data(), GL_STATIC_DRAW);
     glBindVertexArray(0);
 
     glGetIntegerv(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT, &materialStride_);
@@ -83,12 +85,16 @@ GpuScene::GpuScene(const Scene& scene) {
     glBufferData(GL_UNIFORM_BUFFER, GLsizeiptr(blocks.size()), blocks.data(), GL_STATIC_DRAW);
 
     const unsigned char white[4] = {255, 255, 255, 255};
-    textures_.emplace_back(TextureDescription{.size = {1, 1}, .format = GL_SRGB8_ALPHA8, .label = "white"});
+    textures_.emplace_back(
+        TextureDescription{.size = {1, 1}, .format = GL_SRGB8_ALPHA8, .label = "white"});
     textures_.back().uploadBytes(white);
     for (const Texture2D& t : scene.textures) {
         // Level 0 only, bilinear, repeated: what the ray tracer's alpha test reads too.
-        textures_.emplace_back(TextureDescription{.size = {t.width, t.height}, .format = GL_SRGB8_ALPHA8,
-                                                  .filter = GL_LINEAR, .wrap = GL_REPEAT, .label = "base colour"});
+        textures_.emplace_back(TextureDescription{.size = {t.width, t.height},
+                                                  .format = GL_SRGB8_ALPHA8,
+                                                  .filter = GL_LINEAR,
+                                                  .wrap = GL_REPEAT,
+                                                  .label = "base colour"});
         textures_.back().uploadBytes(t.rgba.data());
     }
 }
@@ -103,8 +109,10 @@ void GpuScene::drawRange(const Program& program, const Range& range) const {
     const auto material = std::size_t(range.material);
     glBindBufferRange(GL_UNIFORM_BUFFER, kMaterialBinding, materialBlock_,
                       GLintptr(material) * materialStride_, sizeof(MaterialBlock));
-    program.texture("baseColorTexture", kBaseColorUnit, textures_[std::size_t(materialTextures_[material])]);
-    glDrawElements(GL_TRIANGLES, range.count, GL_UNSIGNED_INT, reinterpret_cast<void*>(range.firstByte));
+    program.texture("baseColorTexture", kBaseColorUnit,
+                    textures_[std::size_t(materialTextures_[material])]);
+    glDrawElements(GL_TRIANGLES, range.count, GL_UNSIGNED_INT,
+                   reinterpret_cast<void*>(range.firstByte));
 }
 
 void GpuScene::draw(const Program& program) const {

@@ -2,10 +2,11 @@
 //
 //   GpuScene gpuScene(scene);
 //   gpuScene.draw(program);                        // every material, for the camera's pass
-//   gpuScene.drawDepth(opaque, masked);            // for light passes: one call for all that is opaque
+//   gpuScene.drawDepth(opaque, masked);            // for light passes: one call for all that is
+//   opaque
 //
-// Attributes: 0 vec3 position, 1 vec3 normal, 2 vec2 uv; all in world space. material.glsl reads the
-// material's block and texture.
+// Attributes: 0 vec3 position, 1 vec3 normal, 2 vec2 uv; all in world space. material.glsl reads
+// the material's block and texture.
 #pragma once
 
 #include <glad/gl.h>
@@ -27,7 +28,8 @@ public:
 
     // `program` is made current.
     void draw(const Program& program) const;
-    // Two programs: an alpha test keeps a rasteriser from rejecting depth early, so only those that need it pay.
+    // Two programs: an alpha test keeps a rasteriser from rejecting depth early, so only those that
+    // need it pay.
     void drawDepth(const Program& opaque, const Program& masked) const;
 
 private:

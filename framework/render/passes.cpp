@@ -20,16 +20,21 @@ void beginOpaquePass() {
 }
 
 CameraTargets::CameraTargets(glm::ivec2 targetSize, const Frame& frame)
-    : size(targetSize), wantsColor(frame.wants("color")), wantsVisibility(frame.wants("visibility")) {
+    : size(targetSize),
+      wantsColor(frame.wants("color")),
+      wantsVisibility(frame.wants("visibility")) {
     if (wantsColor) color = Texture({.size = size, .format = GL_RGBA16F, .label = "color"});
-    if (wantsVisibility) visibility = Texture({.size = size, .format = GL_R32F, .label = "visibility"});
+    if (wantsVisibility)
+        visibility = Texture({.size = size, .format = GL_R32F, .label = "visibility"});
     depth = Texture({.size = size, .format = GL_DEPTH_COMPONENT32F, .label = "camera depth"});
-    framebuffer = Framebuffer({.colors = {wantsColor ? &color : nullptr, wantsVisibility ? &visibility : nullptr},
-                               .depth = &depth});
+    framebuffer = Framebuffer(
+        {.colors = {wantsColor ? &color : nullptr, wantsVisibility ? &visibility : nullptr},
+         .depth = &depth});
 }
 
 bool CameraTargets::fits(glm::ivec2 otherSize, const Frame& frame) const {
-    return size == otherSize && wantsColor == frame.wants("color") && wantsVisibility == frame.wants("visibility");
+    return size == otherSize && wantsColor == frame.wants("color") &&
+           wantsVisibility == frame.wants("visibility");
 }
 
 void CameraTargets::clear() const {
@@ -38,17 +43,21 @@ void CameraTargets::clear() const {
 }
 
 FloorPasses::FloorPasses(int mapSize)
-    : map_({.size = glm::ivec2(mapSize), .format = GL_DEPTH_COMPONENT32F, .label = "floor light depth"}),
+    : map_({.size = glm::ivec2(mapSize),
+            .format = GL_DEPTH_COMPONENT32F,
+            .label = "floor light depth"}),
       light_({.depth = &map_}) {}
 
 void FloorPasses::render(const View& view) {
     const Frame frame({{"color"}});
-    if (!targets_ || !targets_->fits(view.size, frame)) targets_ = std::make_unique<CameraTargets>(view.size, frame);
+    if (!targets_ || !targets_->fits(view.size, frame))
+        targets_ = std::make_unique<CameraTargets>(view.size, frame);
     beginOpaquePass();
 
     // The scene's bounding sphere, seen whole from the light.
     const Box box = bounds(view.scene);
-    const float distance = glm::length(box.center() - view.light.center), radius = 0.5f * box.diagonal();
+    const float distance = glm::length(box.center() - view.light.center),
+                radius = 0.5f * box.diagonal();
     const float nearPlane = std::max(distance - radius, 0.01f * distance);
     const float side = nearPlane * std::min(radius / std::max(distance, 1e-6f), 1.5f);
     CameraBlock light;

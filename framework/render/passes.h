@@ -1,7 +1,8 @@
 // Passes that every technique shares, and the floor that every cost is measured against.
 //
 //   FloorPasses floor(1024);
-//   floor.render(view);   // depth-only light pass + unshadowed forward pass: what any shadow must add to
+//   floor.render(view);   // depth-only light pass + unshadowed forward pass: what any shadow must
+//   add to
 #pragma once
 
 #include "gl/framebuffer.h"
@@ -15,8 +16,9 @@ void beginOpaquePass();
 
 // A forward pass's images: colour (linear), visibility, depth.
 struct CameraTargets {
-    CameraTargets(glm::ivec2 size, const Frame& frame);  // only those that the frame wants, and depth
-    void clear() const;                                  // background colour, visibility 1, depth 1
+    CameraTargets(glm::ivec2 size,
+                  const Frame& frame);  // only those that the frame wants, and depth
+    void clear() const;                 // background colour, visibility 1, depth 1
 
     glm::ivec2 size;
     bool wantsColor, wantsVisibility;

@@ -25,8 +25,8 @@ Corner corner(glm::vec3 world, const Region& region) {
     const glm::vec4 p = region.clipFromWorld * glm::vec4(world, 1.0f);
     const bool all = region.clip == Clip::all;
     return {world,
-            {p.w + p.x, p.w - p.x, p.w + p.y, p.w - p.y, all ? p.w + p.z : p.w, all ? p.w - p.z : p.w,
-             glm::dot(region.halfSpace, glm::vec4(world, 1.0f))}};
+            {p.w + p.x, p.w - p.x, p.w + p.y, p.w - p.y, all ? p.w + p.z : p.w,
+             all ? p.w - p.z : p.w, glm::dot(region.halfSpace, glm::vec4(world, 1.0f))}};
 }
 
 // Sutherland-Hodgman against one plane; distances are linear in space, so they interpolate.
@@ -40,7 +40,8 @@ void clipPlane(std::vector<Corner>& polygon, std::size_t plane, std::vector<Corn
         if ((da >= 0) != (db >= 0)) {
             const float t = da / (da - db);
             Corner c{glm::mix(a.world, b.world, t), {}};
-            for (std::size_t k = 0; k < kPlanes; ++k) c.inside[k] = a.inside[k] + t * (b.inside[k] - a.inside[k]);
+            for (std::size_t k = 0; k < kPlanes; ++k)
+                c.inside[k] = a.inside[k] + t * (b.inside[k] - a.inside[k]);
             scratch.push_back(c);
         }
     }
@@ -74,9 +75,10 @@ std::vector<glm::vec3> visiblePoints(const Scene& scene, const glm::mat4& clipFr
         if (box.empty()) continue;
         std::array<Corner, 8> corners;
         for (unsigned i = 0; i < 8; ++i)
-            corners[i] = corner({i & 1 ? box.upper.x : box.lower.x, i & 2 ? box.upper.y : box.lower.y,
-                                 i & 4 ? box.upper.z : box.lower.z},
-                                region);
+            corners[i] =
+                corner({i & 1 ? box.upper.x : box.lower.x, i & 2 ? box.upper.y : box.lower.y,
+                        i & 4 ? box.upper.z : box.lower.z},
+                       region);
         const Side side = classify(corners);
         if (side == Side::outside) continue;
         if (side == Side::inside) {
@@ -85,11 +87,11 @@ std::vector<glm::vec3> visiblePoints(const Scene& scene, const glm::mat4& clipFr
         }
         for (const glm::uvec3 t : mesh.triangles) {
             polygon.clear();
-            for (int k = 0; k < 3; ++k)
-                polygon.push_back(corner(mesh.positions[t[k]], region));
+            for (int k = 0; k < 3; ++k) polygon.push_back(corner(mesh.positions[t[k]], region));
             const Side triangle = classify(polygon);
             if (triangle == Side::outside) continue;
-            for (std::size_t plane = 0; plane < kPlanes && triangle == Side::both && !polygon.empty(); ++plane)
+            for (std::size_t plane = 0;
+                 plane < kPlanes && triangle == Side::both && !polygon.empty(); ++plane)
                 clipPlane(polygon, plane, scratch);
             for (const Corner& c : polygon) points.push_back(c.world);
         }

@@ -23,8 +23,10 @@ struct ShadowMapBlock {  // shadow_map.glsl
     float constantBias, slopeBias, normalOffset;
     int receiverPlane;
 };
-static_assert(offsetof(ShadowMapBlock, lightCenterClip) == 64 && offsetof(ShadowMapBlock, texelSizeUv) == 80 &&
-              offsetof(ShadowMapBlock, texelTangent) == 88 && offsetof(ShadowMapBlock, constantBias) == 96 &&
+static_assert(offsetof(ShadowMapBlock, lightCenterClip) == 64 &&
+              offsetof(ShadowMapBlock, texelSizeUv) == 80 &&
+              offsetof(ShadowMapBlock, texelTangent) == 88 &&
+              offsetof(ShadowMapBlock, constantBias) == 96 &&
               offsetof(ShadowMapBlock, receiverPlane) == 108);
 
 struct DepthFormat {
@@ -35,9 +37,11 @@ constexpr DepthFormat kDepthFormats[] = {{GL_DEPTH_COMPONENT16, 1.0f / 65535.0f}
                                          {GL_DEPTH_COMPONENT24, 1.0f / 16777215.0f},
                                          {GL_DEPTH_COMPONENT32F, 0.0f}};
 
-constexpr float kWidestTangent = 6.0f;  // 80.5 degrees: past it a planar map spends its texels on nothing
+constexpr float kWidestTangent =
+    6.0f;  // 80.5 degrees: past it a planar map spends its texels on nothing
 
-// The light's view before anything is fitted: the whole scene's bounding box, from a hundredth of its reach.
+// The light's view before anything is fitted: the whole scene's bounding box, from a hundredth of
+// its reach.
 struct WholeScene {
     LightWindow window{1e30f, -1e30f, 1e30f, -1e30f};
     DepthRange depth;
@@ -52,9 +56,11 @@ WholeScene wholeScene(const Scene& scene, const glm::mat4& viewFromWorld) {
                                i & 4 ? box.upper.z : box.lower.z);
         const glm::vec3 p = viewFromWorld * glm::vec4(corner, 1.0f);
         reach = std::max(reach, glm::length(p));
-        const auto tangent = [&](float side) {  // a corner beside or behind the light: as wide as the map goes
-            return std::clamp(p.z < 0 ? side / -p.z : std::copysign(kWidestTangent, side), -kWidestTangent, kWidestTangent);
-        };
+        const auto tangent =
+            [&](float side) {  // a corner beside or behind the light: as wide as the map goes
+                return std::clamp(p.z < 0 ? side / -p.z : std::copysign(kWidestTangent, side),
+                                  -kWidestTangent, kWidestTangent);
+            };
         whole.window.left = std::min(whole.window.left, tangent(p.x));
         whole.window.right = std::max(whole.window.right, tangent(p.x));
         whole.window.bottom = std::min(whole.window.bottom, tangent(p.y));
@@ -69,11 +75,15 @@ glm::mat4 clipFromView(const LightWindow& w, const DepthRange& d) {
     return glm::frustum(w.left * n, w.right * n, w.bottom * n, w.top * n, n, d.farPlane);
 }
 
-// A student's frustum may be anything: what no projection can be made of is replaced by the whole scene's.
+// A student's frustum may be anything: what no projection can be made of is replaced by the whole
+// scene's.
 bool usable(const LightWindow& w) {
-    return std::isfinite(w.left + w.right + w.bottom + w.top) && w.left < w.right && w.bottom < w.top;
+    return std::isfinite(w.left + w.right + w.bottom + w.top) && w.left < w.right &&
+           w.bottom < w.top;
 }
-bool usable(const DepthRange& d) { return std::isfinite(d.farPlane) && 0 < d.nearPlane && d.nearPlane < d.farPlane; }
+bool usable(const DepthRange& d) {
+    return std::isfinite(d.farPlane) && 0 < d.nearPlane && d.nearPlane < d.farPlane;
+}
 
 std::vector<glm::vec3> transformed(std::vector<glm::vec3> points, const glm::mat4& matrix) {
     for (glm::vec3& p : points) p = matrix * glm::vec4(p, 1.0f);
@@ -92,16 +102,18 @@ struct LightFrustum {
     DepthRange depth;
 };
 
-// In light view space. A surface that crosses the light's plane has corners on both sides: its part in front is added,
-// so that the points before the light hold all of it.
+// In light view space. A surface that crosses the light's plane has corners on both sides: its part
+// in front is added, so that the points before the light hold all of it.
 std::vector<glm::vec3> visibleReceivers(const View& view, const glm::mat4& cameraClip) {
     auto points = visiblePoints(view.scene, cameraClip);
     const glm::vec3 forward = view.light.forward();
-    const auto inFront = [&](glm::vec3 p) { return glm::dot(p - view.light.center, forward) > 0.0f; };
+    const auto inFront = [&](glm::vec3 p) {
+        return glm::dot(p - view.light.center, forward) > 0.0f;
+    };
     if (!std::all_of(points.begin(), points.end(), inFront)) {
         const glm::vec3 start = view.light.center + 1e-4f * bounds(view.scene).diagonal() * forward;
-        const auto front =
-            visiblePoints(view.scene, cameraClip, Clip::all, glm::vec4(forward, -glm::dot(forward, start)));
+        const auto front = visiblePoints(view.scene, cameraClip, Clip::all,
+                                         glm::vec4(forward, -glm::dot(forward, start)));
         points.insert(points.end(), front.begin(), front.end());
     }
     return transformed(std::move(points), view.light.viewFromWorld());
@@ -114,16 +126,19 @@ LightFrustum lightFrustum(const View& view) {
     const bool fitWindow = view.settings.on("fit_window"), fitDepth = view.settings.on("fit_depth");
     if (!fitWindow && !fitDepth) return frustum;
 
-    const glm::mat4 cameraClip =
-        view.camera.clipFromView(float(view.size.x) / float(view.size.y)) * view.camera.viewFromWorld();
+    const glm::mat4 cameraClip = view.camera.clipFromView(float(view.size.x) / float(view.size.y)) *
+                                 view.camera.viewFromWorld();
     const auto receivers = visibleReceivers(view, cameraClip);
     if (fitWindow)
-        if (const LightWindow window = fitLightWindow(receivers); usable(window)) frustum.window = window;
+        if (const LightWindow window = fitLightWindow(receivers); usable(window))
+            frustum.window = window;
     if (fitDepth) {
         const auto blockers = transformed(
-            visiblePoints(view.scene, clipFromView(frustum.window, whole.depth) * viewFromWorld, Clip::withoutDepth),
+            visiblePoints(view.scene, clipFromView(frustum.window, whole.depth) * viewFromWorld,
+                          Clip::withoutDepth),
             viewFromWorld);
-        if (const DepthRange depth = fitDepthRange(receivers, blockers); usable(depth)) frustum.depth = depth;
+        if (const DepthRange depth = fitDepthRange(receivers, blockers); usable(depth))
+            frustum.depth = depth;
     }
     return frustum;
 }
@@ -142,7 +157,8 @@ public:
 private:
     struct Map {
         Map(int size, GLenum format)
-            : depth({.size = glm::ivec2(size), .format = format, .label = "shadow map"}), framebuffer({.depth = &depth}) {}
+            : depth({.size = glm::ivec2(size), .format = format, .label = "shadow map"}),
+              framebuffer({.depth = &depth}) {}
         Texture depth;
         Framebuffer framebuffer;
     };
@@ -159,7 +175,9 @@ private:
     void inspect(const View& view);
     void bindBlocks(const Program& program) const;
     void bindMap(const Program& program) const;
-    const Map& finalMap(const View& view) const { return view.settings.on("second_depth") ? *midpoint_ : *first_; }
+    const Map& finalMap(const View& view) const {
+        return view.settings.on("second_depth") ? *midpoint_ : *first_;
+    }
 
     std::unique_ptr<Gl> gl_;
     std::unique_ptr<Map> first_, second_, midpoint_;
@@ -173,20 +191,45 @@ private:
 };
 
 void ShadowMap::settings(Settings& s) {
-    s.choice({.name = "map_size", .help = "texels along each side of the shadow map", .unit = "texels", .value = 2,
+    s.choice({.name = "map_size",
+              .help = "texels along each side of the shadow map",
+              .unit = "texels",
+              .value = 2,
               .choices = {"256", "512", "1024", "2048", "4096"}});
-    s.choice({.name = "filter", .help = "nearest texel, your 2x2, the hardware's 2x2", .value = 1,
+    s.choice({.name = "filter",
+              .help = "nearest texel, your 2x2, the hardware's 2x2",
+              .value = 1,
               .choices = {"off", "2x2", "hardware"}});
-    s.number({.name = "constant_bias", .help = "receiver moved towards the light", .unit = "texels",
-              .minimum = 0, .maximum = 16, .value = 0});
-    s.number({.name = "slope_bias", .help = "receiver moved towards the light, times tan of the incidence angle",
-              .unit = "texels", .minimum = 0, .maximum = 8, .value = 0});
-    s.number({.name = "normal_offset", .help = "receiver moved along its normal, times sin of the incidence angle",
-              .unit = "texels", .minimum = 0, .maximum = 8, .value = 0});
-    s.toggle({.name = "receiver_plane", .help = "compare with the receiver's plane at each texel's centre", .value = 1});
-    s.choice({.name = "depth_format", .help = "bits of the shadow map", .value = 2, .choices = {"16", "24", "32f"}});
-    s.toggle({.name = "second_depth", .help = "threshold midway between first and second surface", .value = 0});
-    s.toggle({.name = "fit_window", .help = "light's view fitted to what the camera sees", .value = 1});
+    s.number({.name = "constant_bias",
+              .help = "receiver moved towards the light",
+              .unit = "texels",
+              .minimum = 0,
+              .maximum = 16,
+              .value = 0});
+    s.number({.name = "slope_bias",
+              .help = "receiver moved towards the light, times tan of the incidence angle",
+              .unit = "texels",
+              .minimum = 0,
+              .maximum = 8,
+              .value = 0});
+    s.number({.name = "normal_offset",
+              .help = "receiver moved along its normal, times sin of the incidence angle",
+              .unit = "texels",
+              .minimum = 0,
+              .maximum = 8,
+              .value = 0});
+    s.toggle({.name = "receiver_plane",
+              .help = "compare with the receiver's plane at each texel's centre",
+              .value = 1});
+    s.choice({.name = "depth_format",
+              .help = "bits of the shadow map",
+              .value = 2,
+              .choices = {"16", "24", "32f"}});
+    s.toggle({.name = "second_depth",
+              .help = "threshold midway between first and second surface",
+              .value = 0});
+    s.toggle(
+        {.name = "fit_window", .help = "light's view fitted to what the camera sees", .value = 1});
     s.toggle({.name = "fit_depth", .help = "light's near and far planes fitted", .value = 1});
 }
 
@@ -212,7 +255,8 @@ void ShadowMap::prepare(const View& view, const Frame& frame) {
         if (!fits(second_)) second_ = std::make_unique<Map>(size, format.format);
         if (!fits(midpoint_)) midpoint_ = std::make_unique<Map>(size, format.format);
     }
-    if (!targets_ || !targets_->fits(view.size, frame)) targets_ = std::make_unique<CameraTargets>(view.size, frame);
+    if (!targets_ || !targets_->fits(view.size, frame))
+        targets_ = std::make_unique<CameraTargets>(view.size, frame);
     current_ = &finalMap(view);
 
     const LightFrustum frustum = lightFrustum(view);
@@ -292,7 +336,8 @@ void ShadowMap::cameraPass(const View& view) {
 void ShadowMap::inspect(const View& view) {
     const Program& program = view.shaders.program("lit_surface.vert", "inspect.frag");
     if (coordinates_.id() == 0 || coordinates_.size() != view.size) {
-        coordinates_ = Texture({.size = view.size, .format = GL_RGBA32F, .label = "shadow coordinates"});
+        coordinates_ =
+            Texture({.size = view.size, .format = GL_RGBA32F, .label = "shadow coordinates"});
     }
     // The camera pass left its depth: the same surfaces pass again.
     coordinatesFramebuffer_ = Framebuffer({.colors = {&coordinates_}, .depth = &targets_->depth});
@@ -315,7 +360,8 @@ void ShadowMap::render(const View& view, Frame& frame) {
         auto timing = frame.time("second depth");
         secondDepthPass(view);
     }
-    if (frame.wants("color") || frame.wants("visibility") || frame.wants("depth") || frame.wants("shadow_coordinates")) {
+    if (frame.wants("color") || frame.wants("visibility") || frame.wants("depth") ||
+        frame.wants("shadow_coordinates")) {
         auto timing = frame.time("camera");
         cameraPass(view);
     }

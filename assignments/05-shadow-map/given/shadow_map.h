@@ -1,5 +1,5 @@
-// What given code calls of yours in C++. Light view space: the light's centre is the origin, x right, y up,
-// the light looks along -z, so that a point's distance along the light's axis is -z.
+// What given code calls of yours in C++. Light view space: the light's centre is the origin, x
+// right, y up, the light looks along -z, so that a point's distance along the light's axis is -z.
 #pragma once
 
 #include <glm/glm.hpp>

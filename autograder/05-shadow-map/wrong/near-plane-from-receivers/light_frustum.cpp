@@ -22,7 +22,8 @@ LightWindow fitLightWindow(std::span<const glm::vec3> receivers) {
     return any ? window : LightWindow{};
 }
 
-DepthRange fitDepthRange(std::span<const glm::vec3> receivers, std::span<const glm::vec3> blockers) {
+DepthRange fitDepthRange(std::span<const glm::vec3> receivers,
+                         std::span<const glm::vec3> blockers) {
     float nearest = 1e30f, farthest = 0.0f;
     for (const glm::vec3 p : receivers)
         if (p.z < 0.0f) {

@@ -22,15 +22,15 @@ LightWindow fitLightWindow(std::span<const glm::vec3> receivers) {
     return any ? window : LightWindow{};
 }
 
-DepthRange fitDepthRange(std::span<const glm::vec3> receivers, std::span<const glm::vec3> blockers) {
+DepthRange fitDepthRange(std::span<const glm::vec3> receivers,
+                         std::span<const glm::vec3> blockers) {
     float nearest = 1e30f, farthest = 0.0f;
     for (const glm::vec3 p : receivers) {
         nearest = std::min(nearest, std::abs(p.z));
         farthest = std::max(farthest, std::abs(p.z));
     }
     if (farthest == 0.0f) return {};
-    for (const glm::vec3 p : blockers)
-        nearest = std::min(nearest, std::abs(p.z));
+    for (const glm::vec3 p : blockers) nearest = std::min(nearest, std::abs(p.z));
     const float farPlane = 1.001f * farthest;
     return {std::max(0.999f * nearest, 1e-5f * farPlane), farPlane};
 }
