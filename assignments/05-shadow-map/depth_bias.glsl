@@ -1,5 +1,7 @@
 // Every bias is asked for in texels, so that a slider means the same in every scene: texelSize is the width of
-// one texel at the receiver, cosTheta the cosine between facet normal and direction to the light, in (0, 1].
+// one texel at the receiver [world], cosTheta the cosine between facet normal and direction to the light, in (0, 1].
+// At default settings only 4d is called with an effect: 4a to 4c are multiplied by sliders that stand at 0, and
+// 4e is for filter=hardware.
 
 // Task 4a · constant depth bias.                                                         README §4
 // Returns the distance [world] by which the receiver moves towards the light.
@@ -26,7 +28,8 @@ vec3 normalOffset(vec3 facet, float cosTheta, float texels, float texelSize) {
 //   dx, dy   change of the receiver's (u, v, depth) from this pixel to the next one right, and the next one up:
 //            two directions within its plane
 // Returns (d depth / d u, d depth / d v): a plane in the world stays a plane in (u, v, depth). (0, 0) where the
-// light sees the plane edge-on (dx and dy are parallel in u, v), because there is no gradient.
+// light sees the plane edge-on (dx and dy are parallel in u, v), because there is no gradient. Ask for a
+// determinant of exactly 0: on steep planes that do have a gradient it falls below 1e-6.
 vec2 receiverPlaneGradient(vec3 dx, vec3 dy) {
     return vec2(0.0);  // yours
 }
@@ -35,8 +38,9 @@ vec2 receiverPlaneGradient(vec3 dx, vec3 dy) {
 //   gradient       as returned above
 //   texelSizeUv    1 / map size
 //   radiusTexels   how far the kernel's sampling positions reach from the receiver       [texels]
-// Returns [depth] >= 0: the largest depth that the plane can lose between the receiver and the farthest texel
-// centre read, half a texel beyond the radius along u and along v.
+// Returns [depth] >= 0, to be subtracted from the receiver's depth by given code: the largest depth that the plane
+// can lose between the receiver and the farthest texel centre read, half a texel beyond the radius along u and
+// along v.
 float receiverPlaneBias(vec2 gradient, vec2 texelSizeUv, float radiusTexels) {
     return 0.0;  // yours
 }

@@ -7,9 +7,9 @@ float litBy(float storedDepth, float receiverDepth) {
 }
 
 // Task 3b · the four texels around the receiver, bilinear.                               README §3, [Reeves 1987]
-//   storedDepths     of texels 0 1 2 3:     2 --- 3
-//   receiverDepths   to compare, in order   | *   |   fraction = position of * from texel 0, [0,1]²
-//   fraction                                0 --- 1
+//   storedDepths     x y z w = texels 0 1 2 3:   2 --- 3
+//   receiverDepths   one for each texel          | *   |   fraction = position of * from texel 0, [0,1]²
+//   fraction                                     0 --- 1
 // Returns the share of the light: at a texel's centre that texel's comparison, between them a bilinear mean
 // of comparisons. Depths are never averaged.
 float filter2x2(vec4 storedDepths, vec4 receiverDepths, vec2 fraction) {
