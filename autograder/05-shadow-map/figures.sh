@@ -23,7 +23,7 @@ mine() { figure "$1" color 05-shadow-map.solution "${@:2}"; }
 wrong() { mine "$1" --layer "$here/wrong/$2" "${@:3}"; }
 
 nearest="--set filter=off --set receiver_plane=off"
-few="--set map_size=256 --set constant_bias=0.25"
+few="--set map_size=256"
 
 size=512x512 mine final --scene stairs
 figure shadow-map shadow_map 05-shadow-map.solution --scene stairs --set map_size=512
@@ -32,13 +32,14 @@ figure loose-frustum color 05-shadow-map --scene stairs --layer "$root/solutions
 wrong ndc-depth ndc-depth --scene stairs
 wrong no-divide-by-w no-divide-by-w --scene stairs
 wrong v-flipped v-flipped --scene stairs
-mine checkpoint --scene stairs $nearest
+wrong checkpoint no-bias --scene stairs
+wrong checkpoint-nearest no-bias --scene stairs --set filter=off
 mine nearest --scene fence --set filter=off $few
 mine two-by-two --scene fence --set filter=2x2 $few
 wrong filter-then-compare filter-then-compare --scene fence --set filter=2x2 $few
 mine peter-panning --scene fence $nearest --set map_size=512 --set constant_bias=16
-mine lamp --scene "$given/lamp.gltf" --set constant_bias=0.25
-wrong behind-the-light no-test-behind-light --scene "$given/lamp.gltf" --set constant_bias=0.25
-wrong outside-is-shadow outside-is-shadow --scene "$given/lamp.gltf" --set constant_bias=0.25
+mine lamp --scene "$given/lamp.gltf"
+wrong behind-the-light no-test-behind-light --scene "$given/lamp.gltf"
+wrong outside-is-shadow outside-is-shadow --scene "$given/lamp.gltf"
 mine second-depth --scene stairs $nearest --set second_depth=on
 wrong second-depth-alone midpoint-is-second-depth --scene foliage $nearest --set second_depth=on
