@@ -8,8 +8,8 @@ namespace penumbra {
 //   receivers   corners of all that the camera sees, in light view space; may be empty  [world]
 // Returns tangents x/-z and y/-z: every receiver in front of the light (z < 0) lies within, and
 // none of the four sides could move in. Points with z >= 0 are behind the light and count for
-// nothing. No tangent leaves
-// [-6, 6]. With no receiver in front: the default LightWindow{}.
+// nothing. Close to z = 0 tangents grow without bound: clamp each to [-6, 6]. With no
+// receiver in front: the default LightWindow{}.
 LightWindow fitLightWindow(std::span<const glm::vec3> receivers) {
     (void)receivers;
     return {-6.0f, 6.0f, -6.0f, 6.0f};  // yours
