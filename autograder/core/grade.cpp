@@ -112,9 +112,11 @@ CheckRecord notStarted(const std::string& suite, const std::string& name) {
 
 void addLikeness(const Place& place, const Variant& variant, GradeRecord& grade) {
     if (variant.studentFolder.empty()) return;
-    std::set<std::string> failed;
+    std::set<std::string> failed, unwritten;
     for (const auto& task : grade.tasks)
         for (const auto& check : task.checks) {
+            if (check.verdict == Verdict::notStarted)
+                unwritten.insert(check.suite + "." + check.name);
             if (check.verdict != Verdict::fail) continue;
             failed.insert(check.suite + "." + check.name);
             // Where code does not compile, the set of failed checks says nothing.
@@ -122,7 +124,13 @@ void addLikeness(const Place& place, const Variant& variant, GradeRecord& grade)
                 if (reason.find("does not compile") != std::string::npos) return;
         }
     try {
-        grade.looksLike = looksLike(loadMistakes(place.grader() / "wrong"), failed);
+        auto mistakes = loadMistakes(place.grader() / "wrong");
+        // A mistake in code that nobody has written yet is not the one that is seen.
+        std::erase_if(mistakes, [&](const Mistake& mistake) {
+            return std::any_of(mistake.fails.begin(), mistake.fails.end(),
+                               [&](const auto& check) { return unwritten.count(check) > 0; });
+        });
+        grade.looksLike = looksLike(mistakes, failed);
     } catch (const Error& error) {
         grade.warnings.push_back(error.what());  // a hint that cannot be given costs nobody a grade
     }
