@@ -49,7 +49,7 @@ public:
     void render(const View& view, Frame& frame) override;
 
     ~ShadowMap() override {
-        if (compareSampler_) glDeleteSamplers(1, &compareSampler_);
+        if (samplers_[0]) glDeleteSamplers(2, samplers_);
         if (emptyVertexArray_) glDeleteVertexArrays(1, &emptyVertexArray_);
     }
 
@@ -67,6 +67,7 @@ private:
         UniformBuffer<ShadowMapBlock> map;
     };
 
+    void makeSamplers();
     void prepare(const View& view, const Frame& frame);
     void lightPass(const View& view);
     void secondDepthPass(const View& view);
@@ -74,6 +75,7 @@ private:
     void inspect(const View& view);
     void bindBlocks(const Program& program) const;
     void bindMap(const Program& program) const;
+    void unbindMap() const;
     const Map& finalMap(const View& view) const {
         return view.settings.on("second_depth") ? *midpoint_ : *first_;
     }
@@ -83,7 +85,7 @@ private:
     std::unique_ptr<CameraTargets> targets_;
     Texture coordinates_;
     Framebuffer coordinatesFramebuffer_;
-    GLuint compareSampler_ = 0;
+    GLuint samplers_[2] = {};  // of the map: nearest depths; linear comparisons
     GLuint emptyVertexArray_ = 0;
     const Map* current_ = nullptr;  // the map that is compared with
     glm::mat4 lightClipFromWorld_{1.0f};
@@ -132,17 +134,28 @@ void ShadowMap::settings(Settings& s) {
     s.toggle({.name = "fit_depth", .help = "light's near and far planes fitted", .value = 1});
 }
 
+// Beyond the map's border the depth is 1, nothing blocks: a kernel that reaches over the border
+// must not compare a plane with the border texel's copy.
+void ShadowMap::makeSamplers() {
+    const float nothing[] = {1.0f, 1.0f, 1.0f, 1.0f};
+    glGenSamplers(2, samplers_);
+    for (const GLuint sampler : samplers_) {
+        for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+            glSamplerParameteri(sampler, wrap, GL_CLAMP_TO_BORDER);
+        glSamplerParameterfv(sampler, GL_TEXTURE_BORDER_COLOR, nothing);
+        const GLint filter = sampler == samplers_[0] ? GL_NEAREST : GL_LINEAR;
+        for (const GLenum which : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+            glSamplerParameteri(sampler, which, filter);
+    }
+    glSamplerParameteri(samplers_[1], GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    glSamplerParameteri(samplers_[1], GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+}
+
 void ShadowMap::prepare(const View& view, const Frame& frame) {
     if (!gl_) {
         gl_ = std::make_unique<Gl>();
         glGenVertexArrays(1, &emptyVertexArray_);
-        glGenSamplers(1, &compareSampler_);
-        for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
-            glSamplerParameteri(compareSampler_, wrap, GL_CLAMP_TO_EDGE);
-        for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-            glSamplerParameteri(compareSampler_, filter, GL_LINEAR);
-        glSamplerParameteri(compareSampler_, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-        glSamplerParameteri(compareSampler_, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+        makeSamplers();
     }
     const int size = 256 << view.settings.index("map_size");
     const DepthFormat format = kDepthFormats[view.settings.index("depth_format")];
@@ -185,7 +198,11 @@ void ShadowMap::bindMap(const Program& program) const {
     program.use();
     program.texture("shadowMap", 0, current_->depth);
     program.texture("shadowMapCompare", 1, current_->depth);
-    glBindSampler(1, compareSampler_);
+    for (const GLuint unit : {0u, 1u}) glBindSampler(unit, samplers_[unit]);
+}
+
+void ShadowMap::unbindMap() const {
+    for (const GLuint unit : {0u, 1u}) glBindSampler(unit, 0);
 }
 
 void ShadowMap::lightPass(const View& view) {
@@ -229,7 +246,7 @@ void ShadowMap::cameraPass(const View& view) {
     beginOpaquePass();
     targets_->clear();
     view.gpuScene.draw(shade);
-    glBindSampler(1, 0);
+    unbindMap();
 }
 
 void ShadowMap::inspect(const View& view) {
@@ -246,7 +263,7 @@ void ShadowMap::inspect(const View& view) {
     beginOpaquePass();
     glDepthFunc(GL_LEQUAL);
     view.gpuScene.draw(program);
-    glBindSampler(1, 0);
+    unbindMap();
 }
 
 void ShadowMap::render(const View& view, Frame& frame) {

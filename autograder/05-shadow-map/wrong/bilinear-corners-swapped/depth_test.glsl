@@ -1,4 +1,4 @@
-// Fails: Task3DepthTest.Filter2x2WeighsComparisonsBilinearly, Task4DepthBias.NoAcneOnAPlaneFrom10To89Degrees, Task7WholeShadow.StairsAgreeWithRays · texels 1 and 2 swapped in the bilinear mean
+// Fails: Task3DepthTest.Filter2x2WeighsComparisonsBilinearly, Task7WholeShadow.StairsAgreeWithRays · texels 1 and 2 swapped in the bilinear mean
 float litBy(float storedDepth, float receiverDepth) { return receiverDepth <= storedDepth ? 1.0 : 0.0; }
 
 float filter2x2(vec4 storedDepths, vec4 receiverDepths, vec2 fraction) {
