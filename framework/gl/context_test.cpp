@@ -1,5 +1,6 @@
 #include "gl/context.h"
 
+#include <dlfcn.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -14,6 +15,17 @@
 
 namespace penumbra {
 namespace {
+
+#ifdef __SANITIZE_ADDRESS__
+// Drivers stay loaded to the end, so that LeakSanitizer can name them: framework/cmake/lsan.supp.
+const bool kDriversStay = [] {
+    for (const char* name :
+         {"libEGL_mesa.so.0", "libGLX_mesa.so.0", "libGLdispatch.so.0", "libX11.so.6",
+          "libgbm.so.1", "/usr/lib/x86_64-linux-gnu/dri/swrast_dri.so"})
+        dlopen(name, RTLD_LAZY | RTLD_NODELETE);
+    return true;
+}();
+#endif
 
 using testing::TestFolder;
 
