@@ -28,11 +28,18 @@ struct Assignment {
     // Declares every dial. Called once, before the first render().
     virtual void settings(Settings& settings) = 0;
 
+    // What the settings do to the scene (a light's height, a plane's tilt, a moment in time), so that
+    // truth and technique see the same. Called with the scene as opened whenever a setting changed.
+    // With every setting at its default the scene must stay as it is.
+    virtual void arrange(const Settings&, Scene&) const {}
+
     // Draws view.scene and hands over named images: at least "visibility" (one channel, 1 where the
     // camera sees no surface), "color" (three, linear) and "depth" (one, window depth).
     virtual void render(const View& view, Frame& frame) = 0;
 
     virtual LightModel lightModel() const { return LightModel::point; }
+    // A technique that knows no parallel rays gets a light far away in the same direction.
+    virtual bool takesDirectionalLights() const { return false; }
 };
 
 std::unique_ptr<Assignment> makeAssignment();

@@ -20,7 +20,7 @@ class Session {
 public:
     Session(std::unique_ptr<Assignment> assignment, Layers layers);
 
-    void open(Scene scene);  // camera and light become the scene's
+    void open(Scene scene);  // camera and light become the scene's, as the settings arrange it
     void openDefault() { open(assignment_->scene()); }
 
     // Throws Error when a shader has no good form yet. The frame's textures live until the next
@@ -32,16 +32,21 @@ public:
     Assignment& assignment() { return *assignment_; }
     Settings& settings() { return settings_; }
     ShaderLibrary& shaders() { return shaders_; }
-    const Scene& scene() const { return scene_; }
+    const Scene& scene() const { return scene_; }  // as last rendered
+    long revision() const { return revision_; }    // of the scene: grows when it changes
 
     Camera camera;
     Light light;
 
 private:
+    void arrange();
+
     std::unique_ptr<Assignment> assignment_;
     Settings settings_;
     mutable ShaderLibrary shaders_;
-    Scene scene_;
+    Scene opened_, scene_;              // as opened, and as the settings arrange it
+    std::vector<double> arrangedWith_;  // the settings' values
+    long revision_ = 0;
     std::unique_ptr<GpuScene> gpuScene_;
 };
 

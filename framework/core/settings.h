@@ -23,6 +23,7 @@ struct Setting {
     double maximum = 1.0;
     double value = 0.0;  // the default, then the current value; index for a choice
     std::vector<std::string> choices = {};
+    bool plays = false;                // a number that the window can advance by itself, 1 a second
     Kind kind = Kind::number;  // set by the declaring call
     double initial = 0.0;      // likewise: the declared value, what a reset goes back to
 };

@@ -17,7 +17,7 @@ namespace penumbra {
 struct FramebufferDescription {
     std::vector<const Texture*> colors =
         {};  // attachment i receives `layout(location = i) out`; null = thrown away
-    const Texture* depth = nullptr;
+    const Texture* depth = nullptr;  // with its stencil, if its format has one
 };
 
 class Framebuffer {
@@ -29,9 +29,12 @@ public:
     Framebuffer& operator=(Framebuffer&& other) noexcept;
 
     void bind() const;
-    // Binds, then clears every colour attachment to `color` and depth to `depth`.
+    // Binds, then clears every colour attachment to `color`, depth to `depth`, stencil to 0.
     void clear(glm::vec4 color, float depth = 1.0f) const;
     void clearColor(int attachment, glm::vec4 color) const;
+    void clearStencil(int value = 0) const;
+    // One channel, integers 0 to 255, row 0 on top. The depth attachment must have a stencil.
+    Image readStencil() const;
 
     GLuint id() const { return id_; }
 
@@ -39,6 +42,7 @@ private:
     GLuint id_ = 0;
     glm::ivec2 size_{0};
     std::vector<bool> attached_;
+    bool stencil_ = false;
 };
 
 }  // namespace penumbra

@@ -76,6 +76,9 @@ void Program::set(const char* name, glm::vec2 value) const {
 void Program::set(const char* name, glm::vec3 value) const {
     glUniform3fv(glGetUniformLocation(id_, name), 1, glm::value_ptr(value));
 }
+void Program::set(const char* name, glm::vec4 value) const {
+    glUniform4fv(glGetUniformLocation(id_, name), 1, glm::value_ptr(value));
+}
 void Program::set(const char* name, const glm::mat4& value) const {
     glUniformMatrix4fv(glGetUniformLocation(id_, name), 1, GL_FALSE, glm::value_ptr(value));
 }

@@ -66,6 +66,7 @@ public:
     void set(const char* name, int value) const;
     void set(const char* name, glm::vec2 value) const;
     void set(const char* name, glm::vec3 value) const;
+    void set(const char* name, glm::vec4 value) const;
     void set(const char* name, const glm::mat4& value) const;
     void texture(const char* sampler, int unit, const Texture& texture) const;
     void textureId(const char* sampler, int unit, GLuint id) const;

@@ -12,6 +12,7 @@ namespace {
 struct Transfer {
     GLenum format;
     int channels;
+    GLenum type = GL_FLOAT;  // of a null upload: depth-stencil pairs know no plain float
 };
 
 Transfer transferOf(GLenum internal) {
@@ -20,6 +21,10 @@ Transfer transferOf(GLenum internal) {
         case GL_DEPTH_COMPONENT24:
         case GL_DEPTH_COMPONENT32F:
             return {GL_DEPTH_COMPONENT, 1};
+        case GL_DEPTH24_STENCIL8:
+            return {GL_DEPTH_STENCIL, 1, GL_UNSIGNED_INT_24_8};
+        case GL_DEPTH32F_STENCIL8:
+            return {GL_DEPTH_STENCIL, 1, GL_FLOAT_32_UNSIGNED_INT_24_8_REV};
         case GL_R8:
         case GL_R16F:
         case GL_R32F:
@@ -59,7 +64,7 @@ Texture::Texture(const TextureDescription& description) : description_(descripti
     glBindTexture(GL_TEXTURE_2D, id_);
     const Transfer transfer = transferOf(description.format);
     glTexImage2D(GL_TEXTURE_2D, 0, GLint(description.format), width, height, 0, transfer.format,
-                 GL_FLOAT, nullptr);
+                 transfer.type, nullptr);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GLint(description.filter));
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GLint(description.filter));
@@ -85,13 +90,17 @@ Texture& Texture::operator=(Texture&& other) noexcept {
 }
 
 bool Texture::isDepth() const {
-    return transferOf(description_.format).format == GL_DEPTH_COMPONENT;
+    return transferOf(description_.format).format == GL_DEPTH_COMPONENT || hasStencil();
+}
+
+bool Texture::hasStencil() const {
+    return transferOf(description_.format).format == GL_DEPTH_STENCIL;
 }
 
 void Texture::upload(const Image& image) {
     const Transfer transfer = transferOf(description_.format);
     EXPECTS(image.width == size().x && image.height == size().y &&
-            image.channels == transfer.channels);
+            image.channels == transfer.channels && !hasStencil());
     Image flipped = image;
     flipRows(flipped);
     glBindTexture(GL_TEXTURE_2D, id_);
@@ -112,7 +121,8 @@ Image Texture::read() const {
     Image image(size().x, size().y, transfer.channels);
     glBindTexture(GL_TEXTURE_2D, id_);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glGetTexImage(GL_TEXTURE_2D, 0, transfer.format, GL_FLOAT, image.pixels.data());
+    const GLenum format = hasStencil() ? GLenum(GL_DEPTH_COMPONENT) : transfer.format;
+    glGetTexImage(GL_TEXTURE_2D, 0, format, GL_FLOAT, image.pixels.data());
     flipRows(image);
     return image;
 }

@@ -16,8 +16,11 @@ constexpr int kBaseColorUnit = 7;
 struct MaterialBlock {  // material.glsl
     glm::vec3 baseColor;
     float alphaCutoff;
+    glm::vec3 emissive;
+    float padding = 0;
 };
-static_assert(offsetof(MaterialBlock, alphaCutoff) == 12 && sizeof(MaterialBlock) == 16);
+static_assert(offsetof(MaterialBlock, alphaCutoff) == 12 &&
+              offsetof(MaterialBlock, emissive) == 16 && sizeof(MaterialBlock) == 32);
 
 template <typename T>
 void uploadAttribute(GLuint buffer, GLuint index, const std::vector<T>& data) {
@@ -76,7 +79,8 @@ GpuScene::GpuScene(const Scene& scene) {
     materialStride_ = std::max(materialStride_, GLint(sizeof(MaterialBlock)));
     std::vector<std::byte> blocks(scene.materials.size() * std::size_t(materialStride_));
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
-        const MaterialBlock block{scene.materials[i].baseColor, scene.materials[i].alphaCutoff};
+        const MaterialBlock block{scene.materials[i].baseColor, scene.materials[i].alphaCutoff,
+                                  scene.materials[i].emissive};
         std::memcpy(blocks.data() + i * std::size_t(materialStride_), &block, sizeof block);
         materialTextures_.push_back(scene.materials[i].texture + 1);
     }

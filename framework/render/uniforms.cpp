@@ -16,7 +16,9 @@ LightBlock lightBlock(const Light& light) {
             .right = light.right,
             .up = light.up,
             .forward = light.forward(),
-            .color = light.color};
+            .color = light.color,
+            .inverseRange = light.directional ? 0.0f : 1.0f / light.range,
+            .position = light.position()};
 }
 
 }  // namespace penumbra

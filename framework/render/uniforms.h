@@ -35,11 +35,13 @@ struct LightBlock {  // light.glsl
     glm::vec3 forward;
     float padding2 = 0;
     glm::vec3 color;
-    float padding3 = 0;
+    float inverseRange;
+    glm::vec4 position;
 };
 static_assert(offsetof(LightBlock, center) == 64 && offsetof(LightBlock, width) == 76 &&
               offsetof(LightBlock, right) == 80 && offsetof(LightBlock, up) == 96 &&
-              offsetof(LightBlock, forward) == 112 && offsetof(LightBlock, color) == 128);
+              offsetof(LightBlock, forward) == 112 && offsetof(LightBlock, color) == 128 &&
+              offsetof(LightBlock, inverseRange) == 140 && offsetof(LightBlock, position) == 144);
 
 CameraBlock cameraBlock(const Camera& camera, glm::ivec2 size);
 LightBlock lightBlock(const Light& light);

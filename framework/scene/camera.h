@@ -25,6 +25,8 @@ struct Camera {
     glm::mat4 viewFromWorld() const;
     glm::mat4 clipFromView(float aspect) const;  // aspect = width / height; OpenGL clip space
     Ray pixelRay(int x, int y, glm::ivec2 size) const;
+
+    bool operator==(const Camera&) const = default;
 };
 
 }  // namespace penumbra

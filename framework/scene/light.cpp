@@ -1,5 +1,6 @@
 #include "scene/light.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.h"
@@ -12,6 +13,17 @@ glm::mat4 Light::viewFromWorld() const {
     glm::mat4 view(rotation);
     view[3] = glm::vec4(-(rotation * center), 1.0f);
     return view;
+}
+
+glm::vec4 Light::position() const {
+    return directional ? glm::vec4(-forward(), 0.0f) : glm::vec4(center, 1.0f);
+}
+
+float Light::falloff(float distance) const {
+    if (directional) return 1.0f;
+    const float t = distance / range;
+    const float rest = std::max(1.0f - t * t, 0.0f);
+    return rest * rest;
 }
 
 Light Light::lookingAt(glm::vec3 center, glm::vec3 target, float width) {

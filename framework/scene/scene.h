@@ -21,6 +21,8 @@ struct Texture2D {
     int width = 0;
     int height = 0;
     std::vector<std::uint8_t> rgba;  // 4 bytes a texel
+
+    bool operator==(const Texture2D&) const = default;
 };
 
 struct Material {
@@ -28,6 +30,9 @@ struct Material {
     glm::vec3 baseColor{0.8f};  // linear; multiplies the texture
     int texture = -1;           // index into Scene::textures, -1 = none
     float alphaCutoff = 0.0f;   // > 0: alpha mask; where the texture's alpha is below, it is a hole
+    glm::vec3 emissive{0.0f};   // linear; light of its own, which no shadow touches
+
+    bool operator==(const Material&) const = default;
 };
 
 // All vectors of vertices have one length, or are empty (uvs). Triangles are seen and cast shadows
@@ -39,6 +44,8 @@ struct Mesh {
     std::vector<glm::vec2> uvs;        // glTF: v grows downwards; empty = none
     std::vector<glm::uvec3> triangles;
     int material = 0;
+
+    bool operator==(const Mesh&) const = default;
 };
 
 struct Box {

@@ -2,6 +2,7 @@
 layout(std140) uniform Material {
     vec3 baseColor;     // linear, multiplies the texture
     float alphaCutoff;  // > 0: the surface has a hole where the texture's alpha is below
+    vec3 emissive;      // linear
 } material;
 
 uniform sampler2D baseColorTexture;

@@ -1,4 +1,4 @@
-// Direct light times visibility, plus ambient light that no shadow touches.
+// Direct light times visibility, plus ambient and emitted light, which no shadow touches.
 #include "light.glsl"
 #include "material.glsl"
 
@@ -12,9 +12,18 @@ vec3 facetNormal(vec3 worldPosition, vec3 eye) {
     return dot(n, eye - worldPosition) < 0.0 ? -n : n;
 }
 
-// Lambert; the vertex normal is turned to the facet's side, since surfaces are two-sided.
-vec3 shade(vec3 baseColor, vec3 worldPosition, vec3 vertexNormal, vec3 facet, float visibility) {
+vec3 ambientAndEmissive(vec3 baseColor) { return kAmbient * baseColor + material.emissive; }
+
+// One light's own share. Lambert; the vertex normal is turned to the facet's side, since surfaces are two-sided.
+vec3 directLight(vec3 baseColor, vec3 worldPosition, vec3 vertexNormal, vec3 facet) {
     vec3 n = normalize(dot(vertexNormal, facet) < 0.0 ? -vertexNormal : vertexNormal);
-    float cosine = max(dot(n, normalize(light.center - worldPosition)), 0.0);
-    return baseColor * (kAmbient + (1.0 - kAmbient) * visibility * cosine * light.color);
+    vec3 toLight = towardsLight(worldPosition);
+    float distance = length(toLight);
+    float cosine = max(dot(n, toLight) / distance, 0.0);
+    return baseColor * ((1.0 - kAmbient) * cosine * lightFalloff(distance) * light.color);
+}
+
+vec3 shade(vec3 baseColor, vec3 worldPosition, vec3 vertexNormal, vec3 facet, float visibility) {
+    return ambientAndEmissive(baseColor) +
+           visibility * directLight(baseColor, worldPosition, vertexNormal, facet);
 }
