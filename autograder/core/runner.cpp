@@ -7,6 +7,7 @@
 #include <regex>
 
 #include "core/error.h"
+#include "core/exit_codes.h"
 
 namespace penumbra {
 

@@ -62,10 +62,6 @@ struct RunOutcome {
     std::size_t peakBytes = 0;
 };
 
-// A program that finds no OpenGL ends with this status: then the machine is at fault, not the
-// student.
-inline constexpr int kExitNoOpenGl = 69;
-
 RunOutcome runRender(const VariantProgram& program, const RenderRequest& request,
                      const std::filesystem::path& scratch);
 RunOutcome runEvaluate(const VariantProgram& program, const EvaluateRequest& request,

@@ -59,6 +59,9 @@ double wallMilliseconds() {
 
 struct Spread {
     double minimum, median, maximum;
+    std::string text() const {
+        return fmt::format("{:.2f} / {:.2f} / {:.2f}", minimum, median, maximum);
+    }
 };
 
 Spread spread(std::vector<double> values) {
@@ -75,6 +78,68 @@ double rmseAgainstRays(Session& session, glm::ivec2 size) {
                             ? pointVisibility(tracer, receivers, session.light)
                             : areaVisibility(tracer, receivers, session.light, kSamples);
     return compareVisibility(mine, truth).rmse;
+}
+
+// One row of the table: the settings as given, or one of them changed.
+struct Variation {
+    std::string name;  // "" or name=value
+    std::vector<double> frames = {}, ratios = {};
+};
+
+// Rounds in which the floor and every variation stand side by side, so that what the machine does
+// meanwhile is shared by all.
+struct Rounds {
+    std::vector<double> floors = {};
+    std::vector<Variation> variations = {};
+};
+
+// The old value comes back even when the frame throws.
+template <typename Draw>
+void withSetting(Settings& settings, const std::string& assignment, Draw&& draw) {
+    const std::vector<Setting> before = settings.all();
+    try {
+        if (!assignment.empty()) settings.assign(assignment);
+        draw();
+    } catch (...) {
+        settings.all() = before;
+        throw;
+    }
+    settings.all() = before;
+}
+
+Rounds measureRounds(Session& session, const BenchmarkRequest& request, double (*now)()) {
+    const auto measure = [&](auto&& draw) {
+        glFinish();
+        const double start = now();
+        draw();
+        glFinish();
+        return now() - start;
+    };
+    Rounds rounds{.variations = {{""}}};
+    for (const std::string& assignment : request.varied) rounds.variations.push_back({assignment});
+    FloorPasses floorPasses(1024);
+    const auto floorTime = [&] {
+        return measure([&] { floorPasses.render(session.view(request.size)); });
+    };
+    const auto frame = [&] { session.render(request.size, {{"color"}}); };
+    constexpr int kWarmUp = 2;  // shaders compile at the first draw
+    for (int i = -kWarmUp; i < request.repetitions; ++i) {
+        double floorBefore = floorTime();
+        for (Variation& v : rounds.variations)
+            withSetting(session.settings(), v.name, [&] {
+                // Once unmeasured: what a change of settings costs is not the frame's cost.
+                if (!request.varied.empty() || request.play) frame();
+                if (request.play) session.settings().advance((i + kWarmUp + 1) / 60.0);
+                const double frameTime = measure(frame);
+                const double floorAfter = floorTime();
+                if (i < 0) return;
+                rounds.floors.push_back(0.5 * (floorBefore + floorAfter));
+                v.frames.push_back(frameTime);
+                v.ratios.push_back(frameTime / rounds.floors.back());
+                floorBefore = floorAfter;
+            });
+    }
+    return rounds;
 }
 
 }  // namespace
@@ -119,41 +184,25 @@ void renderToFrameFile(Session& session, const Context& context, glm::ivec2 size
     saveFrameFile(file, result);
 }
 
-void printBenchmark(Session& session, const Context& context, glm::ivec2 size,
-                    const std::vector<std::string>& scenes, int repetitions) {
-    const auto now = context.software() ? cpuMilliseconds : wallMilliseconds;
+void printBenchmark(Session& session, const Context& context, const BenchmarkRequest& request) {
+    const auto [x, y] = std::pair(request.size.x, request.size.y);
     fmt::print("{} · {} · {}x{} · {} repetitions · {} milliseconds, minimum / median / maximum\n",
-               context.renderer(), context.backend(), size.x, size.y, repetitions,
+               context.renderer(), context.backend(), x, y, request.repetitions,
                context.software() ? "process CPU" : "wall-clock");
-    fmt::print("{:<20} {:>24} {:>24} {:>24} {:>8}\n", "scene", "floor", "frame", "frame / floor",
+    fmt::print("{:<28} {:>24} {:>24} {:>24} {:>8}\n", "scene", "floor", "frame", "frame / floor",
                "RMSE");
-    for (const std::string& name : scenes) {
+    for (const std::string& name : request.scenes) {
         session.open(loadScene(name));
-        FloorPasses floorPasses(1024);
-        const auto measure = [&](auto&& draw) {
-            glFinish();
-            const double start = now();
-            draw();
-            glFinish();
-            return now() - start;
-        };
-        std::vector<double> floors, frames, ratios;
-        for (int i = -2; i < repetitions;
-             ++i) {  // two rounds to warm up: shaders compile at the first draw
-            const double before = measure([&] { floorPasses.render(session.view(size)); });
-            const double mine = measure([&] { session.render(size, {{"color"}}); });
-            const double after = measure([&] { floorPasses.render(session.view(size)); });
-            if (i < 0) continue;
-            floors.push_back(0.5 * (before + after));
-            frames.push_back(mine);
-            ratios.push_back(mine / floors.back());
-        }
-        const auto text = [](const Spread& s) {
-            return fmt::format("{:.2f} / {:.2f} / {:.2f}", s.minimum, s.median, s.maximum);
-        };
-        fmt::print("{:<20} {:>24} {:>24} {:>24} {:>8.4f}\n", name, text(spread(floors)),
-                   text(spread(frames)), text(spread(ratios)), rmseAgainstRays(session, size));
-        std::fflush(stdout);
+        const Rounds rounds = measureRounds(
+            session, request, context.software() ? cpuMilliseconds : wallMilliseconds);
+        for (const Variation& v : rounds.variations)
+            withSetting(session.settings(), v.name, [&] {
+                fmt::print("{:<28} {:>24} {:>24} {:>24} {:>8.4f}\n",
+                           v.name.empty() ? name : "  " + v.name, spread(rounds.floors).text(),
+                           spread(v.frames).text(), spread(v.ratios).text(),
+                           rmseAgainstRays(session, request.size));
+                std::fflush(stdout);
+            });
     }
     throwOnGlErrors();
 }

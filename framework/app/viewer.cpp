@@ -48,6 +48,8 @@ public:
 private:
     void waitForWork();
     void obeyKeys();
+    void learnScene();
+    void play();
     void openWantedScene();
     void sceneChanged(const std::string& name);
     void pollShaders();
@@ -73,9 +75,9 @@ private:
 
     Key drawn_, seen_;  // as last redrawn; the view of the last frame
     std::string renderError_;
-    long frames_ = 0, reloads_ = 0;
+    long frames_ = 0, reloads_ = 0, revision_ = -1;
     int lively_ = kSettlingFrames;  // frames still to be drawn without waiting for an event
-    Clock::time_point movedAt_{}, polledAt_{}, noticeUntil_{}, frameStart_{};
+    Clock::time_point movedAt_{}, polledAt_{}, noticeUntil_{}, frameStart_{}, playedAt_{};
 };
 
 Viewer::Viewer(Session& session, Context& context)
@@ -93,14 +95,29 @@ Viewer::Viewer(Session& session, Context& context)
 }
 
 void Viewer::sceneChanged(const std::string& name) {
-    state_.scene = std::make_shared<Scene>(session_.scene());
-    state_.box = bounds(*state_.scene);
+    learnScene();
     state_.sceneName = name;
     state_.sceneError.clear();
     state_.triangles = triangleCount(*state_.scene);
     state_.cameraFar = session_.camera.farPlane;
     state_.learnNames = true;
     log_.line("scene " + name);
+}
+
+// A copy for the ray tracer's thread; anew whenever the settings arrange the scene otherwise.
+void Viewer::learnScene() {
+    if (revision_ == session_.revision()) return;
+    revision_ = session_.revision();
+    state_.scene = std::make_shared<Scene>(session_.scene());
+    state_.box = bounds(*state_.scene);
+}
+
+void Viewer::play() {
+    const Clock::time_point now = Clock::now();
+    const std::chrono::duration<double> passed = now - std::exchange(playedAt_, now);
+    if (!state_.playing) return;
+    state_.playing = session_.settings().advance(passed.count());
+    lively_ = kSettlingFrames;
 }
 
 void Viewer::openWantedScene() {
@@ -161,7 +178,8 @@ Key Viewer::viewKey() const {
     const Camera& c = session_.camera;
     const Light& l = session_.light;
     const glm::ivec2 size = pictureSize();
-    Key key{double(size.x), double(size.y), c.verticalFov, c.nearPlane, c.farPlane, l.width};
+    Key key{double(size.x), double(size.y), c.verticalFov, c.nearPlane,
+            c.farPlane,     l.width,        l.range,       double(session_.revision())};
     for (const glm::vec3 v : {c.eye, c.target, c.up, l.center, l.right, l.up, l.color})
         append(key, v);
     return key;
@@ -200,6 +218,7 @@ void Viewer::redraw() {
     const glm::ivec2 size = pictureSize();
     const auto start = Clock::now();
     const Frame frame = session_.render(size, wanted);
+    learnScene();
     const std::chrono::duration<double, std::milli> elapsed = Clock::now() - start;
     if (all) learnNames(frame);
     pictures_.take(frame, state_.inset);
@@ -276,6 +295,7 @@ void Viewer::run() {
         waitForWork();
         obeyKeys();
         openWantedScene();
+        play();
         pollShaders();
         redrawIfChanged();
         showOverlay();

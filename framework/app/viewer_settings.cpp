@@ -9,7 +9,7 @@ namespace penumbra {
 
 namespace {
 
-constexpr float kLabelWidth = 122, kResetWidth = 24;
+constexpr float kLabelWidth = 122, kResetWidth = 24, kPlayWidth = 44;
 
 std::string words(std::string name) {
     std::replace(name.begin(), name.end(), '_', ' ');
@@ -100,6 +100,16 @@ bool resetButton(Setting& s, float right) {
     return pressed;
 }
 
+void playButton(ViewerState& state) {
+    ImGui::SameLine();
+    if (ImGui::Button(state.playing ? "stop" : "play", {kPlayWidth, 0})) {
+        state.playing = !state.playing;
+        state.log.line(state.playing ? "play" : "stop");
+    }
+    const ImVec2 lower = ImGui::GetItemRectMin(), upper = ImGui::GetItemRectMax();
+    state.log.item("play", lower.x, lower.y, upper.x, upper.y);
+}
+
 void drawSetting(Setting& s, ViewerState& state) {
     ImGui::PushID(s.name.c_str());
     const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
@@ -107,11 +117,13 @@ void drawSetting(Setting& s, ViewerState& state) {
     ImGui::TextUnformatted(words(s.name).c_str());
     tooltip(s);
     ImGui::SameLine(kLabelWidth + ImGui::GetStyle().WindowPadding.x);
-    ImGui::SetNextItemWidth(right - ImGui::GetCursorPosX() - kResetWidth);
+    const float play = s.plays ? kPlayWidth + ImGui::GetStyle().ItemSpacing.x : 0.0f;
+    ImGui::SetNextItemWidth(right - ImGui::GetCursorPosX() - kResetWidth - play);
     bool changed = control(s);
     const ImVec2 lower = ImGui::GetItemRectMin(), upper = ImGui::GetItemRectMax();
     state.log.item(s.name, lower.x, lower.y, upper.x, upper.y);
     tooltip(s);
+    if (s.plays) playButton(state);
     changed |= resetButton(s, right);
     if (changed) state.log.line(fmt::format("setting {} {}", s.name, Settings::text(s)));
     ImGui::PopID();

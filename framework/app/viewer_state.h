@@ -32,6 +32,7 @@ struct ViewerState {
     bool typing = false;   // a text field takes the keys
     char path[1024] = "";  // as typed
     bool screenshot = false;
+    bool playing = false;  // settings that play advance with the clock
 
     // What there is to see.
     std::string sceneName = {}, sceneError = {};

@@ -56,6 +56,17 @@ void Settings::declare(Setting setting, Setting::Kind kind) {
     settings_.push_back(std::move(setting));
 }
 
+bool Settings::advance(double amount) {
+    bool any = false;
+    for (Setting& s : settings_) {
+        if (!s.plays) continue;
+        any = true;
+        s.value += amount;
+        if (s.value > s.maximum) s.value = s.minimum;
+    }
+    return any;
+}
+
 void Settings::number(Setting setting) { declare(std::move(setting), Setting::Kind::number); }
 void Settings::integer(Setting setting) { declare(std::move(setting), Setting::Kind::integer); }
 void Settings::toggle(Setting setting) { declare(std::move(setting), Setting::Kind::toggle); }

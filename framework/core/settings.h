@@ -23,7 +23,7 @@ struct Setting {
     double maximum = 1.0;
     double value = 0.0;  // the default, then the current value; index for a choice
     std::vector<std::string> choices = {};
-    bool plays = false;                // a number that the window can advance by itself, 1 a second
+    bool plays = false;        // a number that the window can advance by itself, 1 a second
     Kind kind = Kind::number;  // set by the declaring call
     double initial = 0.0;      // likewise: the declared value, what a reset goes back to
 };
@@ -44,6 +44,9 @@ public:
     // Reads "name=value" ("filter=2x2", "second_depth=on", "constant_bias=1.5"); throws Error for
     // an unknown name, a value that is no number, or one out of range.
     void assign(std::string_view nameEqualsValue);
+
+    // Every setting that plays moves on by so much and starts anew at its end. False: none plays.
+    bool advance(double amount);
 
     // The value as --set takes it.
     static std::string text(const Setting& setting);

@@ -43,6 +43,17 @@ TEST(Settings, TakeWhatTheCommandLineWrites) {
     EXPECT_EQ(s.chosen("filter"), "off");
 }
 
+TEST(Settings, ThatPlayAdvanceAndStartAnewAtTheirEnd) {
+    Settings s = dials();
+    EXPECT_FALSE(s.advance(0.5));
+    s.number({.name = "time", .help = "moment", .unit = "s", .maximum = 2, .plays = true});
+    EXPECT_TRUE(s.advance(1.5));
+    EXPECT_EQ(s["time"], 1.5f);
+    EXPECT_TRUE(s.advance(0.75));
+    EXPECT_EQ(s["time"], 0.0f);
+    EXPECT_EQ(s["bias"], 0.25f);
+}
+
 TEST(Settings, KeepTheDeclaredValueForAReset) {
     Settings s = dials();
     s.assign("bias=3");

@@ -76,5 +76,30 @@ TEST_F(TextureTest, IsMovedNotCopied) {
     EXPECT_TRUE(glIsTexture(id));
 }
 
+TEST_F(TextureTest, DepthKeepsItsPlaceBesideAStencil) {
+    for (const GLenum format : {GL_DEPTH24_STENCIL8, GL_DEPTH32F_STENCIL8}) {
+        const Texture depth({.size = {4, 3}, .format = format, .label = "depth and stencil"});
+        EXPECT_TRUE(depth.isDepth() && depth.hasStencil());
+        const Framebuffer target({.depth = &depth});
+        target.clear({}, 0.25f);
+        target.clearStencil(7);
+        EXPECT_NEAR(depth.read().at(2, 1), 0.25f, 1e-7);
+        EXPECT_EQ(target.readStencil().at(2, 1), 7.0f);
+        target.clear({}, 1.0f);
+        EXPECT_EQ(target.readStencil().at(0, 0), 0.0f);
+    }
+}
+
+TEST_F(TextureTest, TheTopRowOfAStencilImageIsTheFramebuffersLast) {
+    const Texture depth({.size = {2, 3}, .format = GL_DEPTH24_STENCIL8, .label = "rows"});
+    const Framebuffer target({.depth = &depth});
+    target.clear({});
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, 2, 2, 1);
+    target.clearStencil(255);
+    glDisable(GL_SCISSOR_TEST);
+    EXPECT_EQ(target.readStencil().pixels, (std::vector<float>{255, 255, 0, 0, 0, 0}));
+}
+
 }  // namespace
 }  // namespace penumbra
