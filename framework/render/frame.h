@@ -32,6 +32,7 @@ struct View {
     glm::ivec2 size;     // of the camera's images, pixels
     const Settings& settings;
     ShaderLibrary& shaders;  // programs from the variant's folders, reloaded on save
+    long revision;           // of the scene: grows when it changes; what was made of it can be kept
 };
 
 // Named float images and named times.
