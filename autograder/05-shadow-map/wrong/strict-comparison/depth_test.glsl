@@ -1,4 +1,4 @@
-// Fails: Task3DepthTest.EqualDepthsAreLit · equal depths count as blocked
+// Fails: Task3DepthTest.EqualDepthsAreLit, Task4DepthBias.NoAcneOnAPlaneFrom10To89Degrees · equal depths count as blocked
 float litBy(float storedDepth, float receiverDepth) { return receiverDepth < storedDepth ? 1.0 : 0.0; }
 
 float filter2x2(vec4 storedDepths, vec4 receiverDepths, vec2 fraction) {
