@@ -63,7 +63,9 @@ DemoCard card(const Place& place, const std::string& sceneName, const fs::path& 
                                       .limits = {.wallSeconds = 120, .cpuSeconds = 240}},
                                      scratch.path());
     if (!run.frame) throw Error("no picture", place.assignment + " on " + sceneName, run.reason);
-    const Scene scene = loadScene(sceneName);
+    Scene scene = loadScene(sceneName);
+    if (run.frame->info.at("directional_lights") == "far point")
+        for (Light& light : scene.lights) light.directional = false;
     const RayTracer tracer(scene);
     const Receivers receivers = tracer.receivers(scene.camera, kSize);
     const bool point = run.frame->info.at("light_model") == "point";

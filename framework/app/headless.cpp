@@ -24,6 +24,8 @@ namespace {
 std::map<std::string, std::string> infoStrings(Session& session, const Context& context) {
     return {{"light_model",
              session.assignment().lightModel() == LightModel::point ? "point" : "square"},
+            {"directional_lights",
+             session.assignment().takesDirectionalLights() ? "parallel" : "far point"},
             {"context", context.backend()},
             {"renderer", context.renderer()},
             {"version", context.version()},
