@@ -44,7 +44,7 @@ void run(const Options& options) {
     const Receivers receivers = tracer.receivers(scene.camera, size);
     const Light& light = scene.lights.at(0);
 
-    const bool square = options.light == "square";
+    const bool square = options.light == "square" && !light.directional;
     const int samples = square ? options.samples : 1;
     const auto start = std::chrono::steady_clock::now();
     Image visibility;
@@ -60,7 +60,7 @@ void run(const Options& options) {
     json["scene"] = scene.name;
     json["triangles"] = triangleCount(scene);
     json["size"] = {size.x, size.y};
-    json["light"] = options.light;
+    json["light"] = light.directional ? "directional" : options.light;
     json["samples"] = samples;
     json["rays"] =
         std::int64_t(hits) * samples;  // those below a horizon are decided without Embree

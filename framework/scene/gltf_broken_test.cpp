@@ -197,6 +197,23 @@ const std::vector<BrokenModel>& brokenModels() {
              m.root["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"] = {-1, 0, 0, 1};
          },
          "baseColorFactor out of range"},
+        {"emission of two",
+         [](auto& m) {
+             m.root["materials"][0]["emissiveFactor"] = {1, 2};
+         },
+         "emissiveFactor has 2 values"},
+        {"negative emission",
+         [](auto& m) {
+             m.root["materials"][0]["emissiveFactor"] = {0, -1, 0};
+         },
+         "emissiveFactor out of range"},
+        {"emission without bound",
+         [](auto& m) {
+             auto& material = m.root["materials"][0];
+             material["emissiveFactor"] = {1, 1, 1};
+             material["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] = 1e300;
+         },
+         "emissiveFactor out of range"},
         {"alpha mode", [](auto& m) { m.root["materials"][0]["alphaMode"] = "HOLES"; },
          "alphaMode HOLES"},
         // cameras and lights
@@ -222,6 +239,12 @@ const std::vector<BrokenModel>& brokenModels() {
              m.root["extensions"]["KHR_lights_punctual"]["lights"][0]["extras"]["width"] = 0;
          },
          "width is not a width above 0"},
+        {"light without range",
+         [](auto& m) { m.root["extensions"]["KHR_lights_punctual"]["lights"][0]["range"] = 0; },
+         "range is not a range above 0"},
+        {"range that is a text",
+         [](auto& m) { m.root["extensions"]["KHR_lights_punctual"]["lights"][0]["range"] = "far"; },
+         "range is not a number"},
         // what is not supported says so
         {"Draco", [](auto& m) { m.root["extensionsRequired"] = {"KHR_draco_mesh_compression"}; },
          "KHR_draco_mesh_compression, which is not supported"},

@@ -56,6 +56,20 @@ double alphaCutoff(const GltfValue& material) {
     material.fail("has alphaMode " + mode + ", not OPAQUE, MASK or BLEND");
 }
 
+// Factor times strength; an emissive texture is left out.
+glm::vec3 emissive(const GltfValue& material) {
+    double factor[3] = {0, 0, 0}, strength = 1.0;
+    if (const auto given = material.find("emissiveFactor")) given->numbers(factor, 3);
+    if (const auto extensions = material.find("extensions"))
+        if (const auto given = extensions->find("KHR_materials_emissive_strength"))
+            strength = given->numberOr("emissiveStrength", 1.0);
+    const glm::dvec3 light = strength * glm::dvec3(factor[0], factor[1], factor[2]);
+    for (int k = 0; k < 3; ++k)
+        if (!(light[k] >= 0.0 && light[k] <= 1e6))
+            material.fail("has an emissiveFactor out of range");
+    return light;
+}
+
 }  // namespace
 
 GltfMaterials readMaterials(const GltfFile& file) {
@@ -78,6 +92,9 @@ GltfMaterials readMaterials(const GltfFile& file) {
             }
         }
         read.baseColor = {factor[0], factor[1], factor[2]};
+        // Files give every part with an emissive texture a factor of 1: without the texture it
+        // would shine all over.
+        if (!material.find("emissiveTexture")) read.emissive = emissive(material);
         // glTF tests factor x texel against the cutoff, a Material its texel alone.
         const double cutoff = alphaCutoff(material);
         const double needed = factor[3] > 0.0 ? cutoff / factor[3] : cutoff > 0.0 ? 2.0 : 0.0;

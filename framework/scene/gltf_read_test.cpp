@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <glm/gtc/constants.hpp>
+#include <limits>
 
 #include "core/error.h"
 #include "scene/gltf.h"
@@ -231,6 +232,41 @@ TEST(Gltf, DirectionalLightShinesFromBeyondTheScene) {
     expectNear(scene.lights.at(0).forward(), {0, 0, -1});
     EXPECT_GT(scene.lights.at(0).width, 0.01f);
     EXPECT_EQ(scene.lights.at(0).color, glm::vec3(1, 0.5f, 0));
+    EXPECT_TRUE(scene.lights.at(0).directional);
+}
+
+TEST(Gltf, ADirectionalLightInTheSceneIsPutBeyondIt) {
+    TestModel model;
+    auto& light = model.root["extensions"]["KHR_lights_punctual"]["lights"][0];
+    light = {{"type", "directional"}, {"extras", {{"width", 0.5}}}};
+    EXPECT_EQ(loaded(model).lights.at(0).center, glm::vec3(0, 0, 3));  // faces all of the scene
+    model.root["nodes"][2]["translation"] = {0, 0, -1};
+    EXPECT_GT(loaded(model).lights.at(0).center.z, 1.0f);
+}
+
+TEST(Gltf, ReadsALightsRange) {
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    TestModel model;
+    auto& light = model.root["extensions"]["KHR_lights_punctual"]["lights"][0];
+    EXPECT_EQ(loaded(model).lights.at(0).range, kInfinity);
+    for (const char* type : {"point", "spot"}) {
+        light = {{"type", type}, {"range", 12.5}};
+        EXPECT_EQ(loaded(model).lights.at(0).range, 12.5f) << type;
+    }
+    light = {{"type", "directional"}, {"range", 12.5}};  // glTF: for point and spot alone
+    EXPECT_EQ(loaded(model).lights.at(0).range, kInfinity);
+}
+
+TEST(Gltf, ReadsEmissiveFactorTimesStrength) {
+    TestModel model;
+    auto& material = model.root["materials"][0];
+    EXPECT_EQ(loaded(model).materials.at(0).emissive, glm::vec3(0.0f));
+    material["emissiveFactor"] = {1, 0.5, 0};
+    EXPECT_EQ(loaded(model).materials.at(0).emissive, glm::vec3(1, 0.5f, 0));
+    material["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] = 4;
+    EXPECT_EQ(loaded(model).materials.at(0).emissive, glm::vec3(4, 2, 0));
+    material["emissiveTexture"] = {{"index", 0}};  // its picture alone says where it shines
+    EXPECT_EQ(loaded(model).materials.at(0).emissive, glm::vec3(0.0f));
 }
 
 TEST(Gltf, PointLightWithoutWidthFacesTheScene) {

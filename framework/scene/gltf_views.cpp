@@ -93,6 +93,11 @@ void readOrthographic(const GltfValue& orthographic, Camera& camera, const Box& 
     fitPlanes(camera, box);
 }
 
+// All of the box lies in front of the light's plane, on the side that it shines to.
+bool facesAllOf(const Light& light, const Box& box) {
+    return depthRange(box, light.center, light.forward()).nearest > 0.0;
+}
+
 }  // namespace
 
 std::optional<Camera> readCamera(const GltfFile& file, const GltfNode& node, const Box& box) {
@@ -149,10 +154,18 @@ std::optional<Light> readLight(const GltfFile& file, const GltfNode& node, const
     light.right = kept(glm::dvec3(node.worldFromNode[0]), axes.right);
     light.up = kept(glm::dvec3(node.worldFromNode[1]), axes.up);
     if (!(glm::length(light.center) < 1e9f)) value.fail("places its light too far away");
-    if (type == "directional")  // a square this far beyond the scene shines nearly in parallel
+    light.directional = type == "directional";
+    // A directional light's node may stand anywhere. Techniques that know no parallel rays need it
+    // far beyond the scene; a file that speaks our convention may have chosen the place itself.
+    if (light.directional && !(width && facesAllOf(light, box)))
         light.center = box.center() + 2.0f * diagonal * glm::vec3(axes.backward);
     if (type == "point" && !width && glm::distance(light.center, box.center()) > 1e-3f * diagonal)
         light = Light::lookingAt(light.center, box.center(), light.width);  // a point faces nowhere
+
+    if (const auto range = source.find("range"); range && !light.directional) {
+        light.range = float(range->number());
+        if (!(light.range > 0.0f)) range->fail("is not a range above 0");
+    }
 
     double color[3] = {1, 1, 1};
     if (const auto given = source.find("color")) given->numbers(color, 3);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -18,6 +19,13 @@ json array(glm::vec3 v) { return {double(v.x), double(v.y), double(v.z)}; }
 // Column by column; doubles print so that every float comes back bit for bit.
 json matrix(glm::dvec3 x, glm::dvec3 y, glm::dvec3 z, glm::dvec3 origin) {
     return {x.x, x.y, x.z, 0, y.x, y.y, y.z, 0, z.x, z.y, z.z, 0, origin.x, origin.y, origin.z, 1};
+}
+
+// glTF wants colours up to 1; a power of two as scale keeps their product exact.
+std::pair<glm::vec3, double> factorAndScale(glm::vec3 color) {
+    double scale = 1.0;
+    while (std::max({color.x, color.y, color.z}) > scale) scale *= 2.0;
+    return {color / float(scale), scale};
 }
 
 class GlbWriter {
@@ -80,6 +88,11 @@ private:
         nodes.push_back(std::move(node));
     }
 
+    void use(const char* extension) {
+        json& used = root_["extensionsUsed"];
+        if (std::find(used.begin(), used.end(), extension) == used.end()) used.push_back(extension);
+    }
+
     void addTexture(const Texture2D& texture) {
         const auto png = encodeTexture(texture);
         root_["images"].push_back(
@@ -97,6 +110,14 @@ private:
         if (material.alphaCutoff > 0.0f) {
             out["alphaMode"] = "MASK";
             out["alphaCutoff"] = double(material.alphaCutoff);
+        }
+        if (material.emissive != glm::vec3(0.0f)) {
+            const auto [factor, strength] = factorAndScale(material.emissive);
+            out["emissiveFactor"] = array(factor);
+            if (strength != 1.0) {
+                out["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] = strength;
+                use("KHR_materials_emissive_strength");
+            }
         }
         root_["materials"].push_back(std::move(out));
     }
@@ -135,20 +156,21 @@ private:
                  {"matrix", matrix(right, glm::cross(backward, right), backward, camera.eye)}});
     }
 
-    // A spot, since it has a direction; cones as wide as glTF allows, a square's half space.
+    // A square is a spot, since it has a direction; cones as wide as glTF allows, a square's half
+    // space.
     void addLight(const Light& light) {
-        // glTF wants colours up to 1; a power of two as intensity keeps their product exact.
-        double intensity = 1.0;
-        while (std::max({light.color.x, light.color.y, light.color.z}) > intensity)
-            intensity *= 2.0;
-        const glm::vec3 color = light.color / float(intensity);
+        const auto [color, intensity] = factorAndScale(light.color);
+        json out = {{"color", array(color)},
+                    {"intensity", intensity},
+                    {"extras", {{"width", double(light.width)}}}};
+        out["type"] = light.directional ? "directional" : "spot";
+        if (!light.directional) {
+            out["spot"] = {{"outerConeAngle", 1.5707963}};
+            if (std::isfinite(light.range)) out["range"] = double(light.range);
+        }
         json& lights = root_["extensions"]["KHR_lights_punctual"]["lights"];
-        lights.push_back({{"type", "spot"},
-                          {"color", array(color)},
-                          {"intensity", intensity},
-                          {"spot", {{"outerConeAngle", 1.5707963}}},
-                          {"extras", {{"width", double(light.width)}}}});
-        root_["extensionsUsed"] = {"KHR_lights_punctual"};
+        lights.push_back(std::move(out));
+        use("KHR_lights_punctual");
         const glm::dvec3 backward = glm::cross(glm::dvec3(light.right), glm::dvec3(light.up));
         addNode({{"name", "light"},
                  {"extensions", {{"KHR_lights_punctual", {{"light", lights.size() - 1}}}}},

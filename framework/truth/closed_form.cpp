@@ -56,9 +56,10 @@ double halfPlaneVisibility(double x, double blockerHeight, double lightHeight, d
 
 double polygonVisibility(glm::dvec3 receiver, std::span<const glm::dvec3> convexBlocker,
                          const Light& light) {
+    EXPECTS(!light.directional);
     const LightFrame frame(light);
     const glm::dvec3 p = frame.fromWorld(receiver);
-    if (p.z <= 0.0) return 0.0;
+    if (p.z <= 0.0 || glm::length(p) >= double(light.range)) return 0.0;
     Polygon polygon;
     for (const glm::dvec3 v : convexBlocker) polygon.push_back(frame.fromWorld(v));
     // Cutting to the pyramid receiver-square before projecting, not after, keeps every projected
@@ -77,19 +78,20 @@ double polygonVisibility(glm::dvec3 receiver, std::span<const glm::dvec3> convex
 }
 
 double horizonVisibility(glm::dvec3 receiver, glm::dvec3 facetNormal, const Light& light) {
+    EXPECTS(!light.directional);
     const LightFrame frame(light);
     const glm::dvec3 p = frame.fromWorld(receiver);
-    if (p.z <= 0.0) return 0.0;
+    if (p.z <= 0.0 || glm::length(p) >= double(light.range)) return 0.0;
     const glm::dvec3 n = frame.turned(facetNormal);
     const double half = 0.5 * double(light.width);
     const Polygon square{{-half, -half, 0}, {half, -half, 0}, {half, half, 0}, {-half, half, 0}};
     return std::min(1.0, areaInXy(clip(square, {n, -glm::dot(n, p)})) / (4.0 * half * half));
 }
 
-bool segmentIsFree(glm::dvec3 receiver, glm::dvec3 light,
+bool segmentIsFree(glm::dvec3 receiver, glm::dvec4 light,
                    std::span<const glm::dvec3> triangleVertices, double* margin) {
-    EXPECTS(triangleVertices.size() % 3 == 0);
-    const glm::dvec3 along = light - receiver;
+    EXPECTS(triangleVertices.size() % 3 == 0 && (light.w == 0.0 || light.w == 1.0));
+    const glm::dvec3 end(light), along = end - light.w * receiver;
     const double length = glm::length(along);
     // Signed distance of the answer from its opposite, over the union of all triangles: > 0 is
     // blocked.
@@ -100,15 +102,18 @@ bool segmentIsFree(glm::dvec3 receiver, glm::dvec3 light,
         const double area = glm::length(normal);  // twice the triangle's
         if (area == 0.0) continue;
         const glm::dvec3 n = normal / area;
-        const double from = glm::dot(n, receiver - corner[0]), to = glm::dot(n, light - corner[0]);
+        const double from = glm::dot(n, receiver - corner[0]);
+        const double to = glm::dot(n, end - light.w * corner[0]);
         const glm::dvec3 size =
-            glm::max(glm::abs(corner[0]), glm::max(glm::abs(receiver), glm::abs(light)));
+            glm::max(glm::abs(corner[0]), glm::max(glm::abs(receiver), light.w * glm::abs(end)));
         const double rounding = std::ldexp(std::max({size.x, size.y, size.z}), -20);
-        if (std::abs(from) <= rounding || std::abs(to) <= rounding) continue;
-        if (from == to) continue;  // parallel, and apart by more than rounding
-        const double t = from / (from - to);
+        const double roundingTo = light.w != 0.0 ? rounding : std::ldexp(1.0, -20);
+        if (std::abs(from) <= rounding || std::abs(to) <= roundingTo) continue;
+        const double slope = to - light.w * from;
+        if (slope == 0.0) continue;  // parallel, and apart by more than rounding
+        const double t = -from / slope;
         const glm::dvec3 crossing = receiver + t * along;
-        double inside = std::min(t, 1.0 - t) * length;
+        double inside = (light.w != 0.0 ? std::min(t, 1.0 - t) : t) * length;
         for (int k = 0; k < 3; ++k) {
             const glm::dvec3 a = corner[k], edge = corner[(k + 1) % 3] - a;
             const double distance = glm::dot(glm::cross(edge, crossing - a), n) / glm::length(edge);

@@ -74,15 +74,38 @@ TEST(ClosedForm, HorizonCutsTheSquareAlongTheFacetsPlane) {
 TEST(ClosedForm, SegmentMeetsATriangleStrictlyBetweenItsEnds) {
     const std::array triangle{glm::dvec3(-1, 2, -1), glm::dvec3(2, 2, -1), glm::dvec3(-1, 2, 2)};
     double margin = 0;
-    EXPECT_FALSE(segmentIsFree({0, 0, 0}, {0, 8, 0}, triangle, &margin));
+    EXPECT_FALSE(segmentIsFree({0, 0, 0}, {0, 8, 0, 1}, triangle, &margin));
     EXPECT_NEAR(margin, std::sqrt(0.5), kRounding);  // to the hypotenuse x + z = 1
-    EXPECT_TRUE(segmentIsFree({1, 0, 1}, {1, 8, 1}, triangle, &margin));
+    EXPECT_TRUE(segmentIsFree({1, 0, 1}, {1, 8, 1, 1}, triangle, &margin));
     EXPECT_NEAR(margin, std::sqrt(0.5), kRounding);
-    EXPECT_TRUE(segmentIsFree({0, 3, 0}, {0, 8, 0}, triangle, &margin));
-    EXPECT_NEAR(margin, 1.0, kRounding);                                  // past the start
-    EXPECT_TRUE(segmentIsFree({0, 2, 0}, {0, 8, 0}, triangle, &margin));  // its own facet
+    EXPECT_TRUE(segmentIsFree({0, 3, 0}, {0, 8, 0, 1}, triangle, &margin));
+    EXPECT_NEAR(margin, 1.0, kRounding);                                     // past the start
+    EXPECT_TRUE(segmentIsFree({0, 2, 0}, {0, 8, 0, 1}, triangle, &margin));  // its own facet
     EXPECT_EQ(margin, std::numeric_limits<double>::infinity());
-    EXPECT_TRUE(segmentIsFree({0, 0, 0}, {5, 0, 0}, triangle));  // parallel
+    EXPECT_TRUE(segmentIsFree({0, 0, 0}, {5, 0, 0, 1}, triangle));  // parallel
+}
+
+TEST(ClosedForm, ADirectionMeetsATriangleAnywhereAheadOfTheReceiver) {
+    const std::array triangle{glm::dvec3(-1, 2, -1), glm::dvec3(2, 2, -1), glm::dvec3(-1, 2, 2)};
+    double margin = 0;
+    EXPECT_FALSE(segmentIsFree({0, 0, 0}, {0, 1, 0, 0}, triangle, &margin));
+    EXPECT_NEAR(margin, std::sqrt(0.5), kRounding);
+    EXPECT_FALSE(segmentIsFree({0, 1.75, 0}, {0, 1, 0, 0}, triangle, &margin));
+    EXPECT_NEAR(margin, 0.25, kRounding);                                        // before the start
+    EXPECT_TRUE(segmentIsFree({0, 0, 0}, {0.6, 0.8, 0, 0}, triangle, &margin));  // at (1.5, 2, 0)
+    EXPECT_NEAR(margin, std::sqrt(0.125), kRounding);
+    EXPECT_TRUE(segmentIsFree({0, 0, 0}, {0, -1, 0, 0}, triangle));  // behind
+    EXPECT_TRUE(segmentIsFree({0, 0, 0}, {1, 0, 0, 0}, triangle));   // parallel
+}
+
+TEST(ClosedForm, NothingIsLitFromTheRangeOn) {
+    Light light = kDownLight;
+    light.range = 8.5f;
+    const glm::dvec3 inside{2.8, 0, 0}, outside{2.9, 0, 0};  // √(8² + x²) is 8.48 and 8.51
+    EXPECT_EQ(polygonVisibility(inside, {}, light), 1.0);
+    EXPECT_EQ(polygonVisibility(outside, {}, light), 0.0);
+    EXPECT_EQ(horizonVisibility(inside, {0, 1, 0}, light), 1.0);
+    EXPECT_EQ(horizonVisibility(outside, {0, 1, 0}, light), 0.0);
 }
 
 TEST(ClosedForm, PlanarDepthBiasIsTheDepthStepOverTheFootprint) {

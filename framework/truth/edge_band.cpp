@@ -77,6 +77,13 @@ bool surfaceEdge(const Receivers& receivers, const Image& visibility, int x, int
     return false;
 }
 
+// In front of the light's plane and within its range; a directional light has neither.
+bool reaches(const Light& light, glm::dvec3 p) {
+    const glm::dvec3 fromLight = p - glm::dvec3(light.center);
+    return light.directional || (glm::dot(fromLight, glm::dvec3(light.forward())) > 0.0 &&
+                                 glm::length(fromLight) < double(light.range));
+}
+
 }  // namespace
 
 Image edgeBand(const RayTracer& tracer, const Receivers& receivers, const Light& light,
@@ -87,7 +94,8 @@ Image edgeBand(const RayTracer& tracer, const Receivers& receivers, const Light&
     const ShadowMapView map{toClip, glm::inverse(toClip)};
     const std::vector<glm::dvec2> shifts = probeShifts(texels);
     const double ndcPerTexel = 2.0 / mapSize;
-    const glm::dvec3 center(light.center), forward(light.forward());
+    const glm::vec4 toLight = light.position();
+    const glm::dvec4 position(toLight);
     Image band(receivers.width, receivers.height, 1, 0.0f);
     parallelFor(receivers.height, [&](int y) {
         const float* own = visibility.pixels.data() + std::size_t(y) * std::size_t(receivers.width);
@@ -101,15 +109,15 @@ Image edgeBand(const RayTracer& tracer, const Receivers& receivers, const Light&
             if (!receivers.hit[i] || row[x] != 0.0f) continue;
             const glm::dvec3 receiver(receivers.positions[i]), normal(receivers.facetNormals[i]);
             // All moved points share the facet's plane, so below the horizon they are unlit alike.
-            if (glm::dot(normal, center - receiver) <= 0.0) continue;
+            if (glm::dot(normal, glm::dvec3(position) - position.w * receiver) <= 0.0) continue;
             for (const glm::dvec2 shift : shifts) {
                 glm::dvec3 moved;
                 if (!movedReceiver(map, receiver, normal, shift * ndcPerTexel, moved))
                     row[x] = 1.0f;
-                else if (glm::dot(moved - center, forward) <= 0.0)  // behind the light: unlit
+                else if (!reaches(light, moved))
                     row[x] = own[x] != 0.0f ? 1.0f : row[x];
                 else
-                    queue.push(std::size_t(x), moved, normal, center);
+                    queue.push(std::size_t(x), moved, normal, toLight);
             }
         }
         queue.flush();

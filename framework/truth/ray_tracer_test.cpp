@@ -77,7 +77,7 @@ TEST(RayTracer, AgreesWithTheFloat64PredicateOnATriangleSoup) {
     int free = 0;
     for (std::size_t i = 0; i < kSegments; ++i) {
         double margin = 0.0;
-        const bool isFree = segmentIsFree(from[i], to[i], triangles, &margin);
+        const bool isFree = segmentIsFree(from[i], {glm::dvec3(to[i]), 1}, triangles, &margin);
         free += isFree;
         // Start and end are held back by the start offset, some 2e-6 of the scene's size of 5.
         if (isFree != (blocked[i] == 0)) {

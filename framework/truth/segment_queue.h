@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <glm/glm.hpp>
+#include <limits>
 
 #include "truth/ray_tracer.h"
 
@@ -22,6 +23,13 @@ public:
         const float offset = tracer_.startOffset(receiver);
         const glm::vec3 from = receiver + offset * facetNormal;
         push(tag, from, to - from, endBefore(glm::distance(from, to), offset));
+    }
+
+    // The same towards a light (Light::position()): to a point, or along a direction without end.
+    void push(std::size_t tag, glm::vec3 receiver, glm::vec3 facetNormal, glm::vec4 light) {
+        if (light.w != 0.0f) return push(tag, receiver, facetNormal, glm::vec3(light) / light.w);
+        const glm::vec3 from = receiver + tracer_.startOffset(receiver) * facetNormal;
+        push(tag, from, glm::vec3(light), std::numeric_limits<float>::infinity());
     }
 
     // The bare segment from + t · along, 0 < t < end.

@@ -84,6 +84,7 @@ inline Scene scaled(Scene scene, float factor) {
     for (Light& light : scene.lights) {
         light.center *= factor;
         light.width *= factor;
+        light.range *= factor;
     }
     return scene;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "core/error.h"
 #include "truth/parallel.h"
@@ -16,14 +17,24 @@ namespace {
 // What one receiver's samples share. All that depends on a light point (s, t) is affine in s and t,
 // so it is prepared once in float64 and costs a few multiplications a sample.
 struct LightFromReceiver {
-    glm::vec3 start;                  // just above the facet
-    glm::vec3 along, alongS, alongT;  // start to light point = along + s alongS + t alongT
-    float height, heightS, heightT;   // of the light point above the facet's plane, likewise
-    float end;                        // segments stop just before the light's plane
-    bool inFront;                     // of the light's plane
+    glm::vec3 start;  // just above the facet
+    glm::vec3 along;  // start to light point = along + s alongS + t alongT
+    glm::vec3 alongS{0.0f}, alongT{0.0f};
+    float height;  // of the light point above the facet's plane, likewise
+    float heightS = 0.0f, heightT = 0.0f;
+    float end;     // segments stop just before the light's plane
+    bool reached;  // in front of the light's plane and within its range
 
     LightFromReceiver(const RayTracer& tracer, glm::vec3 position, glm::vec3 normal,
                       const Light& light) {
+        if (light.directional) {
+            start = position + tracer.startOffset(position) * normal;
+            along = -light.forward();
+            height = float(glm::dot(glm::dvec3(normal), glm::dvec3(along)));
+            end = std::numeric_limits<float>::infinity();
+            reached = true;
+            return;
+        }
         const glm::dvec3 right = double(light.width) * glm::dvec3(light.right);
         const glm::dvec3 up = double(light.width) * glm::dvec3(light.up);
         const glm::dvec3 n(normal), toCenter = glm::dvec3(light.center) - glm::dvec3(position);
@@ -36,8 +47,8 @@ struct LightFromReceiver {
         heightS = float(glm::dot(n, right));
         heightT = float(glm::dot(n, up));
         const double toPlane = -glm::dot(glm::dvec3(light.forward()), toCenter);
-        inFront = toPlane > 0.0;
-        end = inFront ? 1.0f - std::min(0.5f, offset / float(toPlane)) : 1.0f;
+        reached = toPlane > 0.0 && glm::length(toCenter) < double(light.range);
+        end = reached ? 1.0f - std::min(0.5f, offset / float(toPlane)) : 1.0f;
     }
 
     bool allAboveHorizon() const {
@@ -101,7 +112,7 @@ void traceRow(const RayTracer& tracer, const Receivers& receivers, const Light& 
         if (!receivers.hit[i]) continue;
         const LightFromReceiver to(tracer, receivers.positions[i], receivers.facetNormals[i],
                                    light);
-        if (!to.inFront) continue;
+        if (!to.reached) continue;
         const std::uint32_t counter = mixBits(std::uint32_t(i) ^ mixBits(seed));
         std::size_t k = 0;
         if (to.allAboveHorizon())
@@ -131,16 +142,18 @@ Image trace(const RayTracer& tracer, const Receivers& receivers, const Light& li
     return visibility;
 }
 
+Strata centerAlone() { return {{0.0f}, {0.0f}, {0.0f}, {0.0f}}; }
+
 }  // namespace
 
 Image pointVisibility(const RayTracer& tracer, const Receivers& receivers, const Light& light) {
-    const Strata center{{0.0f}, {0.0f}, {0.0f}, {0.0f}};
-    return trace(tracer, receivers, light, center, nullptr, 1);
+    return trace(tracer, receivers, light, centerAlone(), nullptr, 1);
 }
 
 Image areaVisibility(const RayTracer& tracer, const Receivers& receivers, const Light& light,
                      int samples, Progress* progress, std::uint32_t seed) {
-    return trace(tracer, receivers, light, makeStrata(samples), progress, seed);
+    const Strata strata = light.directional ? centerAlone() : makeStrata(samples);
+    return trace(tracer, receivers, light, strata, progress, seed);
 }
 
 double standardError(const Image& visibility, int samples) {

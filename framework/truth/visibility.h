@@ -14,13 +14,15 @@
 namespace penumbra {
 
 // One channel; 1 where the camera sees no surface; 0 where the light's centre lies on or below the
-// receiver's facet plane, or the receiver on or behind the light's plane.
+// receiver's facet plane, or the receiver on or behind the light's plane or as far as its range. A
+// directional light has no plane and no range; it lies below a facet where dot(normal, -forward)
+// is not above 0.
 Image pointVisibility(const RayTracer& tracer, const Receivers& receivers, const Light& light);
 
-// The fraction of the square seen: `samples` jittered light points per pixel, stratified in the
-// square (any count >= 1). Deterministic: the same seed gives the same image on any number of
-// cores. Advances `progress` by one a row. Returns early when progress->cancelled is set: rows not
-// yet done are 1.
+// The fraction of the square seen (of a directional light: pointVisibility's): `samples` jittered
+// light points per pixel, stratified in the square (any count >= 1). Deterministic: the same seed
+// gives the same image on any number of cores. Advances `progress` by one a row. Returns early when
+// progress->cancelled is set: rows not yet done are 1.
 Image areaVisibility(const RayTracer& tracer, const Receivers& receivers, const Light& light,
                      int samples, Progress* progress = nullptr, std::uint32_t seed = 1);
 
@@ -32,7 +34,8 @@ double standardError(const Image& visibility, int samples);
 
 // 1 at receivers within `texels` texel footprints of a hard-shadow edge, measured in the shadow map
 // `lightClipFromWorld` of `mapSize`² texels (by moving the light ray in the map and meeting the
-// receiver's facet plane again), and where the pixel's own footprint holds another surface's edge;
+// receiver's facet plane again; for a directional light the map's projection is
+// orthographic), and where the pixel's own footprint holds another surface's edge;
 // else 0. A raster shadow map cannot be right there: such pixels are counted, not graded one by
 // one.
 //
