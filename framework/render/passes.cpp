@@ -5,10 +5,6 @@
 
 namespace penumbra {
 
-namespace {
-constexpr glm::vec4 kBackground{0.52f, 0.60f, 0.68f, 1.0f};  // linear; an overcast sky
-}
-
 void beginOpaquePass() {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);

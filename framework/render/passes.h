@@ -11,6 +11,8 @@
 
 namespace penumbra {
 
+inline constexpr glm::vec4 kBackground{0.52f, 0.60f, 0.68f, 1.0f};  // linear; an overcast sky
+
 // Depth test and write on, no blending, no culling: surfaces are two-sided.
 void beginOpaquePass();
 

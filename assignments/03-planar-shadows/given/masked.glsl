@@ -1,0 +1,3 @@
+#include "material.glsl"
+
+bool isMissing(vec2 uv) { return isHole(uv); }

@@ -1,0 +1,2 @@
+// Without an alpha test a rasteriser may reject depth early.
+bool isMissing(vec2 uv) { return false; }

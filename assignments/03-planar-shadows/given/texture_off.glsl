@@ -1,0 +1,1 @@
+float castVisibility(vec3 worldPosition) { return 1.0; }

@@ -1,0 +1,6 @@
+vec2 shadowTextureUv(vec4 textureClip) { return 0.5 * textureClip.xy / textureClip.w + 0.5; }
+
+float shadowTextureVisibility(float texel, vec4 textureClip) {
+    bool inside = textureClip.w > 0.0 && max(abs(textureClip.x), abs(textureClip.y)) <= textureClip.w;
+    return inside ? texel : 1.0;
+}
