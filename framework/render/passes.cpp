@@ -15,14 +15,14 @@ void beginOpaquePass() {
     glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
-CameraTargets::CameraTargets(glm::ivec2 targetSize, const Frame& frame)
+CameraTargets::CameraTargets(glm::ivec2 targetSize, const Frame& frame, GLenum depthFormat)
     : size(targetSize),
       wantsColor(frame.wants("color")),
       wantsVisibility(frame.wants("visibility")) {
     if (wantsColor) color = Texture({.size = size, .format = GL_RGBA16F, .label = "color"});
     if (wantsVisibility)
         visibility = Texture({.size = size, .format = GL_R32F, .label = "visibility"});
-    depth = Texture({.size = size, .format = GL_DEPTH_COMPONENT32F, .label = "camera depth"});
+    depth = Texture({.size = size, .format = depthFormat, .label = "camera depth"});
     framebuffer = Framebuffer(
         {.colors = {wantsColor ? &color : nullptr, wantsVisibility ? &visibility : nullptr},
          .depth = &depth});

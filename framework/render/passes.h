@@ -18,9 +18,9 @@ void beginOpaquePass();
 
 // A forward pass's images: colour (linear), visibility, depth.
 struct CameraTargets {
-    CameraTargets(glm::ivec2 size,
-                  const Frame& frame);  // only those that the frame wants, and depth
-    void clear() const;                 // background colour, visibility 1, depth 1
+    // Only those that the frame wants, and depth: with stencil where the format says so.
+    CameraTargets(glm::ivec2 size, const Frame& frame, GLenum depthFormat = GL_DEPTH_COMPONENT32F);
+    void clear() const;  // background colour, visibility 1, depth 1, stencil 0
 
     glm::ivec2 size;
     bool wantsColor, wantsVisibility;
