@@ -1,0 +1,127 @@
+#include "volume_counter.h"
+
+namespace penumbra {
+
+namespace {
+
+bool zFails(const View& view) { return view.settings.chosen("method") == "zfail"; }
+
+StencilCounting countingOf(const View& view) {
+    return zFails(view) ? checkedCounting(zFailCounting(), "z_fail.cpp")
+                        : checkedCounting(zPassCounting(), "z_pass.cpp");
+}
+
+VolumeKind kindOf(const View& view) {
+    return view.settings.chosen("volumes") == "silhouette" ? VolumeKind::silhouette
+                                                           : VolumeKind::perTriangle;
+}
+
+}  // namespace
+
+VolumeCounter::VolumeCounter() { glGenVertexArrays(1, &emptyVertexArray_); }
+
+VolumeCounter::~VolumeCounter() { glDeleteVertexArrays(1, &emptyVertexArray_); }
+
+void VolumeCounter::prepare(const View& view, const glm::mat4& clipFromWorld) {
+    if (!volumes_ || (revision_ != view.revision && !volumes_->isFor(view.scene)))
+        volumes_ = std::make_unique<SceneVolumes>(view.scene);
+    revision_ = view.revision;
+    if (!view.settings.on("cache")) volumes_->forget();
+    culling_ = std::make_unique<VolumeCulling>(view, clipFromWorld);
+}
+
+// A cap lies on its own surface and never before it, so z-pass can do without; not where the
+// surface has holes, through which the cap is seen.
+std::vector<LightVolumes::Part> VolumeCounter::parts(const View& view, const Light& light) const {
+    std::vector<LightVolumes::Part> parts;
+    for (std::size_t i = 0; i < view.scene.meshes.size(); ++i) {
+        if (culling_->skips(i, light)) continue;
+        const auto material = std::size_t(view.scene.meshes[i].material);
+        const bool holes = view.scene.materials[material].alphaCutoff > 0;
+        parts.push_back({.mesh = i, .caps = zFails(view) || holes});
+    }
+    return parts;
+}
+
+LightVolumes& VolumeCounter::volumesOf(const View& view, std::size_t index, const Light& light) {
+    return volumes_->ofLight(index, light.position(), kindOf(view));
+}
+
+void VolumeCounter::count(const View& view, std::size_t index, const Light& light,
+                          const CameraTargets& targets, const BindBlocks& bindBlocks) {
+    const std::vector<LightVolumes::Part> drawn = parts(view, light);
+    LightVolumes& volumes = volumesOf(view, index, light);
+    const StencilCounting counting = countingOf(view);
+    if (view.settings.chosen("counter") == "float") {
+        countInFloat(view, counting, volumes, drawn, targets, bindBlocks);
+        return;
+    }
+    const Program& program = view.shaders.program("volume.vert", "depth.frag");
+    bindBlocks(program);
+    program.use();
+    volumes_->bind();
+    beginCounting(counting);
+    volumes.draw(drawn, [&] { beginCounting(exchanged(counting)); });
+}
+
+void VolumeCounter::countInFloat(const View& view, const StencilCounting& counting,
+                                 LightVolumes& volumes,
+                                 const std::vector<LightVolumes::Part>& parts,
+                                 const CameraTargets& targets, const BindBlocks& bindBlocks) {
+    if (floatCounts_.id() == 0 || floatCounts_.size() != view.size)
+        floatCounts_ = Texture({.size = view.size, .format = GL_R32F, .label = "counts"});
+    const Framebuffer framebuffer({.colors = {&floatCounts_}, .depth = &targets.depth});
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    framebuffer.clearColor(0, glm::vec4(0.0f));
+    const Program& program = view.shaders.program("volume.vert", "count_float.frag");
+    bindBlocks(program);
+    program.use();
+    const auto begin = [&](const StencilCounting& stencil) {
+        const FloatCounting steps = floatCounting(stencil);
+        program.set("frontStep", steps.front);
+        program.set("backStep", steps.back);
+        glDepthFunc(steps.depthTest);
+    };
+    glDisable(GL_STENCIL_TEST);
+    glDepthMask(counting.writesDepth);
+    glEnablei(GL_BLEND, 0);
+    glBlendFunc(GL_ONE, GL_ONE);
+    begin(counting);
+    volumes_->bind();
+    volumes.draw(parts, [&] { begin(exchanged(counting)); });
+
+    // From now on as if the stencil buffer had counted.
+    const Program& counted = view.shaders.program("screen.vert", "counted.frag");
+    targets.framebuffer.bind();
+    beginCounting(
+        {.depthTest = GL_ALWAYS, .front = {.pass = GL_REPLACE}, .back = {.pass = GL_REPLACE}});
+    glStencilFunc(GL_ALWAYS, 1, 0xff);
+    counted.use();
+    counted.texture("counts", 0, floatCounts_);
+    glBindVertexArray(emptyVertexArray_);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+Image VolumeCounter::counts(const View& view, const CameraTargets& targets) const {
+    return view.settings.chosen("counter") == "float" ? floatCounts_.read()
+                                                      : targets.framebuffer.readStencil();
+}
+
+void VolumeCounter::show(const View& view, std::size_t index, const Light& light,
+                         const CameraTargets& targets, const BindBlocks& bindBlocks) {
+    const Program& program = view.shaders.program("volume.vert", "show_volume.frag");
+    bindBlocks(program);
+    program.use();
+    program.set("inward", 0);
+    targets.framebuffer.bind();
+    glDepthMask(GL_FALSE);
+    glDepthFunc(GL_LESS);
+    glEnablei(GL_BLEND, 0);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);  // visibility stays
+    volumes_->bind();
+    volumesOf(view, index, light).draw(parts(view, light), [&] { program.set("inward", 1); });
+    endStencilPasses();
+}
+
+}  // namespace penumbra
