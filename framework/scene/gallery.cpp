@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <optional>
@@ -21,6 +22,7 @@ struct BuiltIn {
     const char* name;
     double number;  // where the name comes without @number
     double maximum;
+    bool whole;
     const char* meaning;
     std::function<Scene(double)> make;
 };
@@ -28,8 +30,10 @@ struct BuiltIn {
 constexpr double kLargestSeed = 4294967295.0;
 
 BuiltIn seeded(const char* name, Scene (*make)(std::uint64_t)) {
-    return {name, 1.0, kLargestSeed, "a whole seed from 0 to 4294967295",
-            [make](double number) { return make(std::uint64_t(number)); }};
+    return {
+        name, 1.0, kLargestSeed, true, "a whole seed from 0 to 4294967295", [make](double number) {
+            return make(std::uint64_t(number));
+        }};
 }
 
 const std::vector<BuiltIn>& builtIns() {
@@ -40,7 +44,18 @@ const std::vector<BuiltIn>& builtIns() {
         seeded("stairs", stairsScene),
         seeded("halfplane", halfPlaneScene),
         seeded("polygon", polygonScene),
-        {"tilted", 80.0, 89.5, "degrees from 0 to 89.5", tiltedScene},
+        {"tilted", 80.0, 89.5, false, "degrees from 0 to 89.5", tiltedScene},
+        {"board", 30.0, 80.0, false, "degrees from 0 to 80", boardScene},
+        seeded("hollow", hollowScene),
+        seeded("mast", mastScene),
+        seeded("sun", sunScene),
+        seeded("eye_inside", eyeInsideScene),
+        seeded("near_cut", nearCutScene),
+        {"nested", 256.0, 1000.0, true, "a whole number of sheets from 0 to 1000", nestedScene},
+        seeded("lamp", lampScene),
+        seeded("shut_lamp", shutLampScene),
+        seeded("open_mesh", openMeshScene),
+        seeded("courtyard", courtyardScene),
     };
     return scenes;
 }
@@ -48,9 +63,9 @@ const std::vector<BuiltIn>& builtIns() {
 double parsedNumber(const BuiltIn& scene, const std::string& wholeName, const std::string& text) {
     double value = -1.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool whole = scene.maximum != kLargestSeed || value == double(std::uint64_t(value));
+    const bool fits = !scene.whole || value == std::floor(value);
     if (error != std::errc() || end != text.data() + text.size() || !(value >= 0.0) ||
-        value > scene.maximum || !whole)
+        value > scene.maximum || !fits)
         throw Error("bad number in scene name", wholeName,
                     fmt::format("after {}@ write {}", scene.name, scene.meaning));
     return value;

@@ -2,6 +2,7 @@
 //
 //   Scene a = loadScene("fence@7");        // built in; the number is its seed (default 1)
 //   Scene b = loadScene("tilted@85");      // for `tilted`: the light's angle of incidence, degrees
+//   Scene n = loadScene("nested@300");     // for `nested`: how many sheets; for `board`: its tilt
 //   Scene c = loadScene("spiralStaircase") // an installed model: models/spiralStaircase.glb
 //   Scene d = loadScene("path/to/any.glb");
 #pragma once
@@ -36,5 +37,10 @@ inline constexpr float kHalfPlaneLightWidth = 1.5f;     // L
 inline constexpr float kPolygonLightHeight = 8.0f;
 inline constexpr float kPolygonLightWidth = 1.5f;
 std::vector<glm::vec3> polygonSceneVertices(std::uint64_t seed);
+
+// `courtyard`: casters are the closed meshes that stand in it, not its paving, walls and lanterns.
+// Lanterns are meshes "bulb" and "hat", in the order of the lights, above the light's plane.
+inline constexpr int kCourtyardLights = 10;
+inline constexpr int kCourtyardCasters = 48;
 
 }  // namespace penumbra

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
+#include "scene/gallery_parts.h"
 #include "scene/gallery_scenes.h"
 #include "scene/random.h"
 #include "scene/shapes.h"
@@ -8,48 +9,6 @@
 namespace penumbra {
 
 namespace {
-
-constexpr float kGroundSize = 12.0f;
-
-// Seeds other than the reference draw from their range; seed 1 keeps the named value, so that the
-// reference scene can be tuned without touching the generator.
-class Variation {
-public:
-    explicit Variation(std::uint64_t seed) : reference_(seed == 1), random_(seed) {}
-    float operator()(float reference, float spread) {
-        const float drawn = random_.between(reference - spread, reference + spread);
-        return reference_ ? reference : drawn;
-    }
-
-private:
-    bool reference_;
-    Random random_;
-};
-
-Scene emptyScene() {
-    Scene scene;
-    scene.materials.push_back({.name = "ground", .baseColor = {0.55f, 0.53f, 0.50f}});
-    scene.camera = {.eye = {2.4f, 7.9f, 8.2f}, .target = {0.4f, 0.3f, 0.2f}, .verticalFov = 0.70f};
-    return scene;
-}
-
-int addMaterial(Scene& scene, const char* name, glm::vec3 color) {
-    scene.materials.push_back({.name = name, .baseColor = color});
-    return int(scene.materials.size()) - 1;
-}
-
-void add(Scene& scene, const char* name, Mesh mesh) {
-    mesh.name = name;
-    scene.meshes.push_back(std::move(mesh));
-}
-
-// About the vertical axis through `pivot`.
-void turn(Mesh& mesh, glm::vec3 pivot, float angle) {
-    const float c = std::cos(angle), s = std::sin(angle);
-    const glm::mat3 rotation(c, 0, -s, 0, 1, 0, s, 0, c);
-    for (glm::vec3& p : mesh.positions) p = pivot + rotation * (p - pivot);
-    for (glm::vec3& n : mesh.normals) n = rotation * n;
-}
 
 Mesh blockOnGround(glm::vec3 center, glm::vec3 size, int material) {
     const glm::vec3 half = 0.5f * size;
@@ -131,9 +90,7 @@ Scene boxesScene(std::uint64_t seed) {
 
     const glm::vec3 size(vary(1.6f, 0.4f), vary(1.8f, 0.5f), vary(1.4f, 0.4f));
     const glm::vec3 center(vary(-1.5f, 0.5f), 0.5f * size.y, vary(-0.2f, 0.7f));
-    Mesh block = blockOnGround(center, size, clay);
-    turn(block, center, vary(0.4f, 0.4f));
-    add(scene, "box", std::move(block));
+    add(scene, "box", turned(blockOnGround(center, size, clay), center, vary(0.4f, 0.4f)));
 
     const float radius = vary(0.85f, 0.2f);
     const float gap = vary(0.9f, 0.5f);  // between ground and sphere: > 0
@@ -164,8 +121,7 @@ Scene fenceScene(std::uint64_t seed) {
             append(posts, box({x - half, 0.0f, z - half}, {x + half, height, z + half}, wood));
         }
     }
-    turn(posts, glm::vec3(0.0f), vary(0.0f, 0.2f));
-    add(scene, "posts", std::move(posts));
+    add(scene, "posts", turned(std::move(posts), glm::vec3(0.0f), vary(0.0f, 0.2f)));
     scene.lights = {standardLight(vary(-2.0f, 0.35f))};
     fitDepthRange(scene);
     return scene;

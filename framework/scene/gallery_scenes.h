@@ -22,6 +22,23 @@ Scene halfPlaneScene(std::uint64_t seed);
 Scene polygonScene(std::uint64_t seed);
 Scene tiltedScene(double incidenceDegrees);
 
+// gallery_volumes.cpp: scenes that break shadow volumes
+Scene eyeInsideScene(std::uint64_t seed);  // the eye in a volume
+Scene nearCutScene(std::uint64_t seed);    // the eye outside, the near rectangle half inside
+Scene nestedScene(double sheets);          // so many volumes around one receiver
+Scene sunScene(std::uint64_t seed);        // a directional light
+Scene lampScene(std::uint64_t seed);       // the light in a cage
+Scene shutLampScene(std::uint64_t seed);   // the light in a closed globe
+Scene openMeshScene(std::uint64_t seed);   // meshes that are no solids
+
+// gallery_planar.cpp: the receiver comes first, an open sheet; casters are closed
+Scene boardScene(double tiltDegrees);   // a tilted, finite plane
+Scene hollowScene(std::uint64_t seed);  // a curved receiver, part of it behind the light
+Scene mastScene(std::uint64_t seed);    // casters above the light and below the ground
+
+// gallery_courtyard.cpp
+Scene courtyardScene(std::uint64_t seed);  // 10 lights, 48 casters
+
 inline constexpr float kStandardLightWidth = 1.5f;
 inline constexpr float kStandardLightDistance = 9.3f;
 

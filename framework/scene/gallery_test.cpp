@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
 #include "core/error.h"
+#include "scene/mesh_edges.h"
 
 namespace penumbra {
 namespace {
@@ -167,6 +169,102 @@ TEST(TiltedScene, NumberIsTheAngleOfIncidence) {
     }
 }
 
+std::vector<Mesh> casters(const Scene& scene, std::initializer_list<const char*> others) {
+    std::vector<Mesh> found;
+    for (const Mesh& mesh : scene.meshes)
+        if (std::find(others.begin(), others.end(), mesh.name) == others.end())
+            found.push_back(mesh);
+    return found;
+}
+
+TEST(CourtyardScene, HasTenLightsThatEndAnd48ClosedCasters) {
+    for (const char* name : {"courtyard", "courtyard@2", "courtyard@3"}) {
+        const Scene scene = loadScene(name);
+        const auto found = casters(scene, {"paving", "wall", "bulb", "hat"});
+        EXPECT_EQ(found.size(), std::size_t(kCourtyardCasters));
+        for (const Mesh& mesh : found) EXPECT_TRUE(closed(meshEdges(mesh))) << mesh.name;
+        ASSERT_EQ(scene.lights.size(), std::size_t(kCourtyardLights));
+        for (const Light& light : scene.lights) EXPECT_LT(light.range, 10.0f);
+        EXPECT_LT(triangleCount(scene), 20000u);
+    }
+}
+
+TEST(CourtyardScene, LanternsStandAboveTheirLightsPlanes) {
+    const Scene scene = loadScene("courtyard");
+    std::size_t light = 0;
+    for (const Mesh& mesh : scene.meshes) {
+        if (mesh.name != "bulb") continue;
+        const Light& own = scene.lights.at(light++);
+        EXPECT_GT(bounds(mesh).lower.y, own.center.y);
+        EXPECT_LT(glm::distance(bounds(mesh).center(), own.center), 0.2f);
+        EXPECT_EQ(own.forward(), glm::vec3(0, -1, 0));
+        EXPECT_GT(scene.materials.at(std::size_t(mesh.material)).emissive.x, 0.0f);
+    }
+    EXPECT_EQ(light, scene.lights.size());
+}
+
+TEST(NestedScene, NumberIsTheCountOfSheets) {
+    EXPECT_EQ(loadScene("nested").meshes.at(1).triangles.size(), 256u * 12u);
+    EXPECT_EQ(loadScene("nested@1000").meshes.at(1).triangles.size(), 1000u * 12u);
+    EXPECT_TRUE(closed(meshEdges(loadScene("nested@300").meshes.at(1))));
+    EXPECT_EQ(loadScene("nested@0").meshes.size(), 1u);
+}
+
+TEST(SunScene, IsLitFromAfar) { EXPECT_EQ(loadScene("sun").lights.at(0).position().w, 0.0f); }
+
+TEST(LampScenes, HoldTheLightInTheHollowOrInTheSolid) {
+    for (const char* seed : {"@1", "@2", "@9"}) {
+        const Scene lamp = loadScene(std::string("lamp") + seed);
+        const Mesh& cage = lamp.meshes.at(1);
+        EXPECT_TRUE(facingTrianglesSuffice(cage, meshEdges(cage), lamp.lights[0].position()));
+        const Scene shut = loadScene(std::string("shut_lamp") + seed);
+        const Mesh& globe = shut.meshes.at(1);
+        EXPECT_TRUE(closed(meshEdges(globe)));
+        EXPECT_EQ(windingNumber(globe, shut.lights[0].center), 1);
+    }
+}
+
+TEST(OpenMeshScene, HasNoClosedMesh) {
+    const Scene scene = loadScene("open_mesh");
+    for (const Mesh& mesh : scene.meshes) EXPECT_FALSE(closed(meshEdges(mesh))) << mesh.name;
+    EXPECT_EQ(meshReport(meshEdges(scene.meshes.at(2))).oddEdges, 1u) << "three faces";
+    for (const glm::vec3 p : scene.meshes.at(5).positions)
+        EXPECT_EQ(p.x, scene.lights[0].center.x) << "light in its plane";
+    EXPECT_EQ(meshReport(meshEdges(scene.meshes.at(6))).degenerateTriangles, 3u);
+}
+
+TEST(PlanarScenes, HaveOneOpenReceiverFirstAndClosedCasters) {
+    for (const char* name : {"board", "board@0", "board@60", "hollow", "hollow@4", "mast"}) {
+        const Scene scene = loadScene(name);
+        EXPECT_FALSE(closed(meshEdges(scene.meshes.at(0)))) << name;
+        for (std::size_t i = 1; i < scene.meshes.size(); ++i)
+            EXPECT_TRUE(closed(meshEdges(scene.meshes[i]))) << name;
+    }
+}
+
+TEST(BoardScene, NumberIsTheTilt) {
+    for (const float degrees : {0.0f, 30.0f, 75.0f}) {
+        const Scene scene = loadScene("board@" + std::to_string(degrees));
+        const glm::vec3 normal = scene.meshes.at(0).normals.at(0);
+        EXPECT_NEAR(glm::degrees(std::acos(normal.y)), degrees, 0.05f);
+        EXPECT_GT(glm::dot(normal, scene.lights.at(0).center), 0.0f);
+    }
+}
+
+TEST(MastScene, ReachesAboveTheLightAndBelowTheGround) {
+    for (const char* name : {"mast", "mast@2", "mast@5"}) {
+        const Scene scene = loadScene(name);
+        const float light = scene.lights.at(0).center.y;
+        const auto box = [&](std::size_t i) { return bounds(scene.meshes.at(i)); };
+        EXPECT_LT(box(1).lower.y, light);
+        EXPECT_GT(box(1).upper.y, light) << "mast";
+        EXPECT_GT(box(2).lower.y, light) << "yard";
+        EXPECT_LT(box(3).lower.y, 0.0f);
+        EXPECT_GT(box(3).upper.y, 0.0f) << "buoy";
+        EXPECT_LT(box(5).upper.y, 0.0f) << "block below";
+    }
+}
+
 TEST(SceneName, UnknownNameListsTheKnownOnes) {
     const std::string error = errorOf("fense");
     EXPECT_NE(error.find("unknown scene: fense"), std::string::npos) << error;
@@ -178,7 +276,8 @@ TEST(SceneName, UnknownNameListsTheKnownOnes) {
 
 TEST(SceneName, BadNumbersAreRefused) {
     for (const char* name : {"fence@", "fence@x", "fence@-1", "fence@1.5", "fence@1x", "fence@1e99",
-                             "fence@nan", "fence@1@2", "tilted@90", "tilted@-1", "tilted@inf"})
+                             "fence@nan", "fence@1@2", "tilted@90", "tilted@-1", "tilted@inf",
+                             "nested@1.5", "nested@1001", "board@81"})
         EXPECT_NE(errorOf(name).find("bad number in scene name"), std::string::npos) << name;
 }
 

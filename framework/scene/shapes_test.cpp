@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/mesh_edges.h"
+
 namespace penumbra {
 namespace {
 
@@ -66,6 +68,42 @@ TEST(Ground, FacesUpAndHasItsSize) {
     float doubleArea = 0.0f;
     for (const glm::uvec3 t : mesh.triangles) doubleArea += facetNormal(mesh, t).y;
     EXPECT_NEAR(doubleArea, 2 * 144.0f, 1e-3f);
+}
+
+constexpr double kPi = 3.14159265358979;
+
+TEST(Lathe, TurnsAnOutlineIntoAClosedSolid) {
+    // A cone on a cylinder, with a dent in its base.
+    const Mesh mesh = lathe({3, 1, -2}, {{0, 0.5f}, {1, 0}, {2, 0}, {2, 1}, {0, 4}}, 96, 1);
+    expectNormalsAlongFacets(mesh);
+    EXPECT_TRUE(closed(meshEdges(mesh))) << meshReport(meshEdges(mesh)).text();
+    const double exact = kPi * (4.0 * 1.0 + 4.0 * 3.0 / 3.0 - 0.5 / 3.0);
+    EXPECT_NEAR(signedVolume(mesh), exact, 2e-3 * exact);  // 96-gon: 1 - sin(2π/96) / (2π/96)
+    EXPECT_EQ(bounds(mesh).upper.y, 5.0f);
+}
+
+TEST(Cylinder, IsClosedAndFacesOutwards) {
+    const Mesh mesh = cylinder({1, 2, 3}, 2.0f, 5.0f, 96, 0);
+    expectNormalsAlongFacets(mesh);
+    EXPECT_TRUE(closed(meshEdges(mesh)));
+    EXPECT_NEAR(signedVolume(mesh), kPi * 20.0, 2e-3 * kPi * 20.0);
+}
+
+TEST(Torus, IsClosedAndFacesOutwards) {
+    const Mesh mesh = torus({0, 2, 0}, 1.0f, 0.25f, 64, 32, 0);
+    expectNormalsAlongFacets(mesh);
+    EXPECT_TRUE(closed(meshEdges(mesh)));
+    const double exact = 2.0 * kPi * kPi * 0.25 * 0.25;
+    EXPECT_NEAR(signedVolume(mesh), exact, 0.01 * exact);  // 32-gon: 0.6 % less than the disk
+}
+
+TEST(Arch, IsClosedAndStandsOnItsFeet) {
+    const Mesh mesh = arch({0, 1, 0}, 1.0f, 1.5f, 0.4f, 64, 0);
+    expectNormalsAlongFacets(mesh);
+    EXPECT_TRUE(closed(meshEdges(mesh)));
+    const double exact = 0.5 * kPi * (1.5 * 1.5 - 1.0) * 0.4;
+    EXPECT_NEAR(signedVolume(mesh), exact, 1e-3 * exact);
+    EXPECT_EQ(bounds(mesh).lower, glm::vec3(-1.5f, 1, -0.2f));
 }
 
 TEST(Append, ShiftsIndices) {
