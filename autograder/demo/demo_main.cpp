@@ -82,6 +82,7 @@ DemoCard card(const Place& place, const std::string& sceneName, const fs::path& 
             .scene = sceneName,
             .triangles = triangleCount(scene),
             .milliseconds = run.frame->milliseconds,
+            .notes = run.frame->info.at("notes"),
             .metrics = compareVisibility(mine, truth),
             .stem = stem};
 }

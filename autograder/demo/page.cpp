@@ -22,6 +22,7 @@ article > a img { width: 100%; aspect-ratio: 4 / 3; display: block; object-fit: 
 .strip figure { margin: 0; background: var(--card); } .strip figcaption { font-size: .75rem; color: var(--soft); text-align: center; padding: .15rem; }
 .text { padding: .7rem .9rem .9rem; } .text h3 { margin: 0; font-size: 1.05rem; }
 dl { display: grid; grid-template-columns: auto 1fr; gap: 0 .8rem; margin: .35rem 0 0; font-size: .85rem; font-variant-numeric: tabular-nums; }
+.notes { font-size: .8rem; margin: .4rem 0 0; white-space: pre-line; overflow-wrap: anywhere; }
 dt { color: var(--soft); } dd { margin: 0; text-align: right; }
 )css";
 
@@ -30,6 +31,13 @@ std::string passes(const std::map<std::string, double>& milliseconds) {
     for (const auto& [pass, ms] : milliseconds)
         text += fmt::format("{}{} {:.1f} ms", text.empty() ? "" : ", ", pass, ms);
     return text;
+}
+
+// Names of meshes come from files.
+std::string escaped(const std::string& text) {
+    std::string html;
+    for (const char c : text) html += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
+    return html;
 }
 
 std::string cardHtml(const DemoCard& c) {
@@ -42,11 +50,12 @@ std::string cardHtml(const DemoCard& c) {
         R"(<article><a href="pictures/{0}-color.png"><img loading="lazy" src="pictures/{0}-color.png" alt="{1}"></a>
 <div class="strip">{2}{3}{4}</div>
 <div class="text"><h3>{1}</h3><dl><dt>triangles</dt><dd>{5}</dd><dt>RMSE against rays</dt><dd>{6:.4f}</dd>
-<dt>mean absolute error</dt><dd>{7:.2f} %</dd><dt>time</dt><dd>{8}</dd></dl></div></article>
+<dt>mean absolute error</dt><dd>{7:.2f} %</dd><dt>time</dt><dd>{8}</dd></dl>{9}</div></article>
 )",
         c.stem, c.scene, picture("mine", "mine"), picture("truth", "truth"),
         picture("difference", "difference"), c.triangles, c.metrics.rmse,
-        100 * c.metrics.meanAbsolute, passes(c.milliseconds));
+        100 * c.metrics.meanAbsolute, passes(c.milliseconds),
+        c.notes.empty() ? "" : "<p class=\"notes\">" + escaped(c.notes) + "</p>");
 }
 
 }  // namespace

@@ -20,6 +20,7 @@ struct DemoCard {
     std::string assignment, scene;
     std::size_t triangles = 0;
     std::map<std::string, double> milliseconds;  // by pass
+    std::string notes;                           // a line each
     Metrics metrics;                             // of visibility against rays
     std::string stem;  // pictures/<stem>-color.png, -mine, -truth, -difference
 };

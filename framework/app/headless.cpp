@@ -1,6 +1,7 @@
 #include "app/headless.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -158,6 +159,7 @@ void renderToFolder(Session& session, const Context& context, glm::ivec2 size,
     json["triangles"] = triangleCount(session.scene());
     for (const Setting& s : session.settings().all()) json["settings"][s.name] = Settings::text(s);
     for (const auto& [pass, ms] : frame.milliseconds()) json["milliseconds"][pass] = ms;
+    if (!frame.notes().empty()) json["notes"] = frame.notes();
     for (const auto& [key, value] : infoStrings(session, context)) json["gl"][key] = value;
     for (const auto& [name, image] : images) {
         if (const auto bad = nonFiniteCount(image))
@@ -182,6 +184,7 @@ void renderToFrameFile(Session& session, const Context& context, glm::ivec2 size
     FrameFile result{.images = frame.read(),
                      .milliseconds = frame.milliseconds(),
                      .info = infoStrings(session, context)};
+    result.info["notes"] = fmt::format("{}", fmt::join(frame.notes(), "\n"));
     throwOnGlErrors();
     saveFrameFile(file, result);
 }

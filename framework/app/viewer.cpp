@@ -225,6 +225,7 @@ void Viewer::redraw() {
     state_.size = size;
     state_.redrawMilliseconds = elapsed.count();
     state_.passes.assign(frame.milliseconds().begin(), frame.milliseconds().end());
+    state_.notes = frame.notes();
     comparison_.mineChanged();
     ++frames_;
     if (!log_.on()) return;

@@ -100,6 +100,7 @@ void drawScene(ViewerState& state) {
         state.wantedScene = state.path;
     logItem(state, "path");
     if (!state.sceneError.empty()) wrapped(kWarning, state.sceneError);
+    for (const std::string& note : state.notes) wrapped(kDim, note);
 }
 
 void row(const char* name, const std::string& value, const char* help) {

@@ -41,6 +41,7 @@ struct ViewerState {
     glm::ivec2 size{0};  // of the picture, pixels
     double redrawMilliseconds = 0;
     std::vector<std::pair<std::string, double>> passes = {};  // milliseconds
+    std::vector<std::string> notes = {};                      // of the frame
     std::optional<Metrics> metrics = {};
     std::string truthNote = {};  // what the truth is, or why there is none
     double truthFraction = 0;

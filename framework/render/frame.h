@@ -12,6 +12,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "core/image.h"
 #include "core/settings.h"
@@ -53,6 +54,11 @@ public:
     // Times everything until the returned timer is destroyed; two timings of one name add up.
     PassTimer time(const std::string& pass) { return PassTimer(milliseconds_[pass]); }
 
+    // What a person who looks at this frame should know: "mesh net has an alpha mask: its holes
+    // cast shadow, too". One line; shown beside the picture and in frame.json.
+    void note(std::string line) { notes_.push_back(std::move(line)); }
+
+    const std::vector<std::string>& notes() const { return notes_; }
     const std::map<std::string, const Texture*>& textures() const { return textures_; }
     const std::map<std::string, Image>& images() const { return images_; }
     const std::map<std::string, double>& milliseconds() const { return milliseconds_; }
@@ -65,6 +71,7 @@ private:
     std::map<std::string, const Texture*> textures_;
     std::map<std::string, Image> images_;
     std::map<std::string, double> milliseconds_;
+    std::vector<std::string> notes_;
 };
 
 }  // namespace penumbra
