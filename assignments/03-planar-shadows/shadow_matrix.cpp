@@ -2,7 +2,7 @@
 
 namespace penumbra {
 
-// Task 1 · the matrix that flattens the world onto the plane y = 0.                    README §1
+// Task 1 · the matrix that flattens the world onto the plane y = 0.       README §1, [Blinn 1988]
 //   light   homogeneous: (l, 1) at the point l, or (direction to the light, 0)
 // Returns M with M (v, 1) = (p w, w): p is where the ray from the light through v meets y = 0, and
 // w is the light's height less v's (for a point light), in world units. glm stores columns:

@@ -1,4 +1,4 @@
-// The shadow texture holds the casters as the light sees them: 0 where a caster is, 1 the background.
+// The shadow texture holds the casters as the light sees them: 0 where a caster is, 1 the background. [Segal 1992]
 
 // Task 6a · where to look.                                                               README §6
 //   textureClip   the receiver, projected as the casters were; w > 0
