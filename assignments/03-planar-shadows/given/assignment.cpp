@@ -154,22 +154,11 @@ void PlanarShadow::settings(Settings& s) {
     s.toggle({.name = "stencil",
               .help = "your marks; off: depth test with an offset instead",
               .value = 1});
-    s.number({.name = "depth_offset",
-              .help = "with stencil=off: flattened casters drawn nearer to the eye",
-              .unit = "depth steps",
-              .minimum = 0,
-              .maximum = 16,
-              .value = 2});
-    s.number({.name = "alpha",
-              .help = "darkness of cast shadow: visibility there is 1 - alpha",
-              .minimum = 0,
-              .maximum = 1,
-              .value = 1});
     s.number({.name = "light_height",
               .help = "light raised or lowered",
               .unit = "world units",
-              .minimum = -8,
-              .maximum = 8,
+              .minimum = -6,
+              .maximum = 12,
               .value = 0});
     s.number({.name = "plane_tilt",
               .help = "receiver turned about its middle",
@@ -177,6 +166,17 @@ void PlanarShadow::settings(Settings& s) {
               .minimum = -60,
               .maximum = 60,
               .value = 0});
+    s.number({.name = "alpha",
+              .help = "darkness of cast shadow: visibility there is 1 - alpha",
+              .minimum = 0,
+              .maximum = 1,
+              .value = 1});
+    s.number({.name = "depth_offset",
+              .help = "with stencil=off: flattened casters drawn nearer to the eye",
+              .unit = "depth steps",
+              .minimum = 0,
+              .maximum = 16,
+              .value = 2});
     s.choice({.name = "texture_size",
               .help = "texels along each side of the shadow texture",
               .unit = "texels",
