@@ -32,17 +32,17 @@ half="--set alpha=0.5"
 size=512x512 mine final --scene board@30
 figure unshadowed 03-planar-shadows --scene boxes
 mine ground --scene boxes --set form=ground $bare
-wrong transposed transposed --scene boxes --set form=ground $bare
-wrong ground-sign light-x-sign --scene boxes --set form=ground $bare
+wrong transposed matrix-transposed --scene boxes --set form=ground $bare
+wrong last-entry last-entry-is-one --scene boxes --set form=ground $bare
 mine matrix --scene board@30 --set form=matrix $bare
 mine ground-on-board --scene board@30 --set form=ground
 wrong sign-of-d sign-of-d --scene board@30 --set form=matrix
 mine z-fighting --scene board@30 $bare --set depth_offset=0 $half
 mine double --scene board@30 $bare $half
 image=visibility mine double-visibility --scene board@30 $bare $half
-wrong mark-stays mark-stays --scene board@30 $half
-wrong depth-test-on depth-test-on --scene board@30 $half
-image=visibility wrong no-marks no-marks --scene board@30 $half
+wrong mark-stays mark-never-used-up --scene board@30 $half
+wrong depth-test-on depth-tested --scene board@30 $half
+image=visibility wrong no-marks no-stencil --scene board@30 $half
 mine checkpoint --scene board@30 $half
 image=stencil mine checkpoint-stencil --scene board@30 $half
 mine mast --scene mast
@@ -51,9 +51,10 @@ mine antishadow --scene mast --set clip=off --set divide=on
 mine divided --scene mast --set divide=on
 mine hollow --scene hollow
 image=shadow_texture mine shadow-texture --scene hollow --set texture_size=512
-wrong no-q-test no-q-test --scene hollow
-wrong outside-is-dark outside-is-dark --scene hollow
-wrong v-flipped v-flipped --scene hollow
+wrong no-q-test no-test-of-q --scene hollow
+wrong outside-is-dark outside-is-shadow --scene hollow
+wrong smear border-goes-on --scene hollow
+wrong v-flipped v-downwards --scene hollow
 mine onto-casters --scene hollow --set onto_casters=on
 mine texture-false-shadow --scene mast --set method=texture
 mine coarse --scene hollow --set texture_size=256

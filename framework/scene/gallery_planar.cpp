@@ -123,7 +123,7 @@ Scene hollowScene(std::uint64_t seed) {
     const glm::vec3 light(vary(1.0f, 0.2f), 3.2f, 0.4f);
     scene.lights = {Light::lookingAt(light, {light.x, 0, light.z}, 0.8f)};
     scene.camera = {
-        .eye = {-1.6f, 7.6f, 10.2f}, .target = {-0.2f, 0.8f, 0.0f}, .verticalFov = 0.76f};
+        .eye = {-2.0f, 7.6f, 10.8f}, .target = {0.7f, 0.9f, 0.0f}, .verticalFov = 0.86f};
     fitDepthRange(scene);
     return scene;
 }

@@ -216,7 +216,7 @@ void PlanarShadow::prepare(const View& view, const Frame& frame) {
     if (glm::dot(plane_, light) < 0.0f) plane_ = -plane_;
     groundMatrix_ = groundShadowMatrix(light);
     planeMatrix_ = parts_->plane ? planeShadowMatrix(plane_, light) : glm::mat4(0.0f);
-    textureClipFromWorld_ = shadowTextureView(parts_->casters, view.light, textureSize);
+    textureClipFromWorld_ = shadowTextureView(parts_->casters, view.light);
     blocks_->camera.upload(cameraBlock(view.camera, view.size));
     blocks_->light.upload(lightBlock(view.light));
     blocks_->planar.upload(

@@ -31,7 +31,7 @@ Window windowOf(const Scene& casters, const glm::mat4& viewFromWorld, bool direc
 
 }  // namespace
 
-glm::mat4 shadowTextureView(const Scene& casters, const Light& light, int textureSize) {
+glm::mat4 shadowTextureView(const Scene& casters, const Light& light) {
     const Box box = bounds(casters);
     const glm::vec3 middle = box.empty() ? light.center + light.forward() : box.center();
     const glm::vec3 towards =
@@ -41,9 +41,7 @@ glm::mat4 shadowTextureView(const Scene& casters, const Light& light, int textur
     const glm::vec3 eye = light.directional ? middle : light.center;
     const glm::mat4 viewFromWorld = Light::lookingAt(eye, eye + towards, 1.0f).viewFromWorld();
 
-    Window w = windowOf(casters, viewFromWorld, light.directional);
-    const glm::vec2 texel = (w.upper - w.lower) / float(textureSize - 2);
-    w.lower -= texel, w.upper += texel;
+    const Window w = windowOf(casters, viewFromWorld, light.directional);
     const glm::vec2 scale = 2.0f / (w.upper - w.lower);
     const glm::vec2 shift = -(w.upper + w.lower) / (w.upper - w.lower);
     glm::mat4 clipFromView(0.0f);
