@@ -1,6 +1,7 @@
 // Shadows on one receiver, without a search: casters flattened onto its plane by a projection, or
 // drawn once from the light into a texture that is thrown over a curved receiver.
-#include <cmath>
+#include <fmt/format.h>
+
 #include <cstddef>
 #include <string>
 
@@ -72,6 +73,7 @@ public:
 private:
     struct Parts {  // of one scene
         explicit Parts(const Scene& scene);
+        std::string receiverName;
         std::optional<glm::vec4> plane;
         Scene casters;
         GpuScene gpuReceiver, gpuCasters;
@@ -117,7 +119,8 @@ private:
 };
 
 PlanarShadow::Parts::Parts(const Scene& scene)
-    : plane(planeOf(scene.meshes.at(receiverOf(scene)))),
+    : receiverName(scene.meshes.at(receiverOf(scene)).name),
+      plane(planeOf(scene.meshes.at(receiverOf(scene)))),
       casters([&] {
           auto meshes = scene.meshes;
           meshes.erase(meshes.begin() + std::ptrdiff_t(receiverOf(scene)));
@@ -313,6 +316,8 @@ void PlanarShadow::colorPass(const View& view) const {
 
 void PlanarShadow::render(const View& view, Frame& frame) {
     prepare(view, frame);
+    frame.note(fmt::format("cast shadow on mesh '{}' alone, by {}", parts_->receiverName,
+                           useTexture_ ? "a shadow texture" : "flattened casters"));
     if (useTexture_ || frame.wants("shadow_texture")) {
         auto timing = frame.time("shadow texture");
         texturePass(view);
