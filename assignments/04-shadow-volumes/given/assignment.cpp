@@ -80,8 +80,8 @@ void ShadowVolumes::settings(Settings& s) {
               .help = "8 bits that wrap, or a float target",
               .choices = {"stencil", "float"}});
     s.choice({.name = "show",
-              .help = "the picture, the key light's volumes over it, or their counts",
-              .choices = {"picture", "volumes", "counts"}});
+              .help = "the picture; over it the key light's silhouettes, volumes or counts",
+              .choices = {"picture", "silhouettes", "volumes", "counts"}});
     s.toggle({.name = "shadows", .help = "off: the same lights without shadows", .value = 1});
     s.integer({.name = "lights",
                .help = "how many of the scene's lights shine",
@@ -202,10 +202,11 @@ void ShadowVolumes::render(const View& view, Frame& frame) {
     }
     if (color || frame.wants("visibility") || frame.wants("stencil_count"))
         for (std::size_t i = 0; i < (color ? lights_.size() : 1); ++i) oneLight(view, frame, i);
-    if (color && show == "volumes") {
-        gl_->light.upload(lightBlock(lights_[0]));
-        gl_->counter.show(view, 0, lights_[0], *targets_, binder());
-    }
+    gl_->light.upload(lightBlock(lights_[0]));
+    if (color && show == "volumes")
+        gl_->counter.showVolumes(view, 0, lights_[0], *targets_, binder());
+    if (color && show == "silhouettes")
+        gl_->counter.showSilhouettes(view, 0, lights_[0], *targets_, binder());
     if (color && show == "counts") showCounts(view);
 
     if (color) frame.output("color", show == "counts" ? countColors_ : targets_->color);

@@ -122,6 +122,14 @@ void LightVolumes::draw(const std::vector<Part>& parts, const std::function<void
                    reinterpret_cast<void*>(std::size_t(outwardIndices_) * sizeof(GLuint)));
 }
 
+void LightVolumes::drawLines(const std::vector<GLuint>& ends) {
+    inBuffer_.clear();
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer_);
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(ends.size() * sizeof(GLuint)), ends.data(),
+                 GL_STREAM_DRAW);
+    glDrawElements(GL_LINES, GLsizei(ends.size()), GL_UNSIGNED_INT, nullptr);
+}
+
 SceneVolumes::SceneVolumes(const Scene& scene) : meshes_(scene.meshes) {
     std::vector<glm::vec4> vertices;
     for (const Mesh& mesh : meshes_) {

@@ -55,6 +55,7 @@ public:
     };
     // Two draw calls: what faces out of the volumes, then, after `exchange`, what faces into them.
     void draw(const std::vector<Part>& parts, const std::function<void()>& exchange);
+    void drawLines(const std::vector<GLuint>& ends);
 
 private:
     void fillBuffer(const std::vector<Part>& parts);

@@ -1,5 +1,7 @@
 #include "volume_counter.h"
 
+#include <cstdlib>
+
 namespace penumbra {
 
 namespace {
@@ -14,6 +16,14 @@ StencilCounting countingOf(const View& view) {
 VolumeKind kindOf(const View& view) {
     return view.settings.chosen("volumes") == "silhouette" ? VolumeKind::silhouette
                                                            : VolumeKind::perTriangle;
+}
+
+void beginOverlay(const CameraTargets& targets) {
+    targets.framebuffer.bind();
+    glDepthMask(GL_FALSE);
+    glEnablei(GL_BLEND, 0);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);  // visibility stays
 }
 
 }  // namespace
@@ -107,20 +117,44 @@ Image VolumeCounter::counts(const View& view, const CameraTargets& targets) cons
                                                       : targets.framebuffer.readStencil();
 }
 
-void VolumeCounter::show(const View& view, std::size_t index, const Light& light,
-                         const CameraTargets& targets, const BindBlocks& bindBlocks) {
+void VolumeCounter::showVolumes(const View& view, std::size_t index, const Light& light,
+                                const CameraTargets& targets, const BindBlocks& bindBlocks) {
     const Program& program = view.shaders.program("volume.vert", "show_volume.frag");
     bindBlocks(program);
     program.use();
     program.set("inward", 0);
-    targets.framebuffer.bind();
-    glDepthMask(GL_FALSE);
+    beginOverlay(targets);
     glDepthFunc(GL_LESS);
-    glEnablei(GL_BLEND, 0);
-    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-    glColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);  // visibility stays
     volumes_->bind();
     volumesOf(view, index, light).draw(parts(view, light), [&] { program.set("inward", 1); });
+    endStencilPasses();
+}
+
+void VolumeCounter::showSilhouettes(const View& view, std::size_t index, const Light& light,
+                                    const CameraTargets& targets, const BindBlocks& bindBlocks) {
+    LightVolumes& volumes = volumesOf(view, index, light);
+    std::vector<GLuint> once, oftener;  // ends of edges
+    for (const LightVolumes::Part part : parts(view, light)) {
+        const CasterMesh& caster = volumes_->casters()[part.mesh];
+        const std::vector<int>& sums = volumes.ofMesh(part.mesh).sums;
+        for (std::size_t i = 0; i < sums.size(); ++i) {
+            if (sums[i] == 0) continue;
+            const MeshEdge& edge = caster.edges.edges[i];
+            std::vector<GLuint>& lines = std::abs(sums[i]) == 1 ? once : oftener;
+            lines.insert(lines.end(),
+                         {caster.firstVertex + edge.from, caster.firstVertex + edge.to});
+        }
+    }
+    const Program& program = view.shaders.program("volume.vert", "show_edge.frag");
+    bindBlocks(program);
+    program.use();
+    beginOverlay(targets);
+    glDepthFunc(GL_ALWAYS);
+    volumes_->bind();
+    program.set("color", glm::vec3(1.0f, 0.5f, 0.0f));
+    volumes.drawLines(once);
+    program.set("color", glm::vec3(1.0f, 0.0f, 0.1f));
+    volumes.drawLines(oftener);
     endStencilPasses();
 }
 

@@ -25,8 +25,11 @@ public:
     using BindBlocks = std::function<void(const Program&)>;
     void count(const View& view, std::size_t index, const Light& light,
                const CameraTargets& targets, const BindBlocks& bindBlocks);
-    void show(const View& view, std::size_t index, const Light& light, const CameraTargets& targets,
-              const BindBlocks& bindBlocks);
+    // Over the picture: the volumes, translucent; the edges whose sum is not 0.
+    void showVolumes(const View& view, std::size_t index, const Light& light,
+                     const CameraTargets& targets, const BindBlocks& bindBlocks);
+    void showSilhouettes(const View& view, std::size_t index, const Light& light,
+                         const CameraTargets& targets, const BindBlocks& bindBlocks);
     Image counts(const View& view, const CameraTargets& targets) const;
 
     // The lists of image names that start with the light's volumes; see the handout's table.

@@ -1,0 +1,5 @@
+// An edge of a silhouette.
+uniform vec3 color;
+layout(location = 0) out vec4 result;
+
+void main() { result = vec4(color, 1.0); }
