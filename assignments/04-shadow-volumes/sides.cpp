@@ -3,9 +3,8 @@
 namespace penumbra {
 
 // Task 5 · one side of a volume.                                                        README §5
-//   from, to      vertex numbers of a silhouette edge, in the direction in which its facing
-//   triangle runs:
-//                 seen from the light, the volume lies to the left of from -> to
+//   from, to      vertex numbers of a silhouette edge, as its facing triangle runs along it: seen
+//                 from the light, the volume lies to the left of from -> to
 //   farOffset     v + farOffset is the twin of v, at infinity
 //   directional   all twins are one point
 // Appends two triangles, or one for a directional light, counter-clockwise seen from outside of the

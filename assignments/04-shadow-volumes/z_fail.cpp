@@ -4,8 +4,8 @@ namespace penumbra {
 
 // Task 4a · z-fail: count the volumes' surfaces that lie behind what the camera sees.   README §4
 // Returns as in Task 3. Coming from infinity, a ray enters through a back (+1) and leaves through a
-// front
-// (-1). Strictly behind: a cap that lies on the visible surface itself does not count.
+// front (-1). What lies on the visible surface itself counts as behind it: every lit surface is the
+// near cap of its own volume, and only with that cap do its crossings sum to 0.
 StencilCounting zFailCounting() {
     return {};  // yours
 }
