@@ -37,7 +37,7 @@ Image matrixImage(const glm::mat4& m) {
 
 class ShadowVolumes final : public Assignment {
 public:
-    Scene scene() const override { return loadScene("boxes"); }
+    Scene scene() const override { return loadScene("courtyard"); }
     void settings(Settings& settings) override;
     void arrange(const Settings& settings, Scene& scene) const override;
     void render(const View& view, Frame& frame) override;

@@ -51,6 +51,11 @@ Box volumeBox(const Box& box, glm::vec4 light) {
     return volume;
 }
 
+Box withinRange(const Box& box, const Light& light) {
+    return {glm::max(box.lower, light.center - light.range),
+            glm::min(box.upper, light.center + light.range)};
+}
+
 // More than touch: a flat ground does not lie in the volume that it throws downwards.
 bool overlap(const Box& a, const Box& b) {
     return glm::all(glm::lessThan(a.lower, b.upper)) && glm::all(glm::lessThan(b.lower, a.upper));
@@ -84,8 +89,10 @@ bool VolumeCulling::skips(std::size_t mesh, const Light& light) const {
     if (s.on("cull_empty")) {
         const Box volume = volumeBox(box, position);
         return std::none_of(receivers_.begin(), receivers_.end(), [&](std::size_t receiver) {
-            const bool unreached = s.on("cull_range") && beyondReach(boxes_[receiver], light);
-            return !unreached && overlap(volume, boxes_[receiver]);
+            Box lit = boxes_[receiver];
+            if (s.on("cull_range") && beyondReach(lit, light)) return false;
+            if (s.on("cull_range") && !light.directional) lit = withinRange(lit, light);
+            return overlap(volume, lit);
         });
     }
     return false;
