@@ -9,7 +9,7 @@
 #include "count_colors.h"
 #include "scene/gallery.h"
 #include "value_rows.h"
-#include "volume_counter.h"
+#include "volume_pass.h"
 
 namespace penumbra {
 
@@ -47,7 +47,7 @@ private:
     struct Gl {  // made when a context is current
         UniformBuffer<CameraBlock> camera;
         UniformBuffer<LightBlock> light;
-        VolumeCounter counter;
+        VolumePass volumes;
     };
 
     void prepare(const View& view, const Frame& frame);
@@ -56,7 +56,7 @@ private:
     void lightPass(const View& view, std::size_t index);
     void showCounts(const View& view);
     void bindBlocks(const Program& program) const;
-    VolumeCounter::BindBlocks binder() const {
+    VolumePass::BindBlocks binder() const {
         return [this](const Program& program) { bindBlocks(program); };
     }
 
@@ -134,7 +134,7 @@ void ShadowVolumes::prepare(const View& view, const Frame& frame) {
     CameraBlock camera = cameraBlock(view.camera, view.size);
     camera.clipFromWorld = clipFromView_ * camera.viewFromWorld;
     gl_->camera.upload(camera);
-    gl_->counter.prepare(view, camera.clipFromWorld);
+    gl_->volumes.prepare(view, camera.clipFromWorld);
 }
 
 void ShadowVolumes::bindBlocks(const Program& program) const {
@@ -163,7 +163,7 @@ void ShadowVolumes::lightPass(const View& view, std::size_t index) {
 
 void ShadowVolumes::oneLight(const View& view, Frame& frame, std::size_t index) {
     const Light& light = lights_[index];
-    const PixelRectangle reach = gl_->counter.reach(light);
+    const PixelRectangle reach = gl_->volumes.reach(light);
     if (reach.size.x == 0 || reach.size.y == 0) return;
     gl_->light.upload(lightBlock(light));
     targets_->framebuffer.bind();
@@ -172,11 +172,11 @@ void ShadowVolumes::oneLight(const View& view, Frame& frame, std::size_t index) 
     if (view.settings.on("shadows")) {
         auto timing = frame.time("volumes");
         if (addLight_.clearsStencil) targets_->framebuffer.clearStencil();
-        gl_->counter.count(view, index, light, *targets_, binder());
+        gl_->volumes.count(view, index, light, *targets_, binder());
     }
     const bool shown = view.settings.chosen("show") == "counts" && frame.wants("color");
     if (index == 0 && (frame.wants("stencil_count") || shown))
-        counts_ = gl_->counter.counts(view, *targets_);
+        counts_ = gl_->volumes.counts(view, *targets_);
     if (frame.wants("color") || frame.wants("visibility")) {
         auto timing = frame.time("light");
         lightPass(view, index);
@@ -204,16 +204,17 @@ void ShadowVolumes::render(const View& view, Frame& frame) {
         for (std::size_t i = 0; i < (color ? lights_.size() : 1); ++i) oneLight(view, frame, i);
     gl_->light.upload(lightBlock(lights_[0]));
     if (color && show == "volumes")
-        gl_->counter.showVolumes(view, 0, lights_[0], *targets_, binder());
+        gl_->volumes.showVolumes(view, 0, lights_[0], *targets_, binder());
     if (color && show == "silhouettes")
-        gl_->counter.showSilhouettes(view, 0, lights_[0], *targets_, binder());
+        gl_->volumes.showSilhouettes(view, 0, lights_[0], *targets_, binder());
     if (color && show == "counts") showCounts(view);
 
     if (color) frame.output("color", show == "counts" ? countColors_ : targets_->color);
     if (frame.wants("visibility")) frame.output("visibility", targets_->visibility);
     frame.output("depth", targets_->depth);
     frame.output("stencil_count", counts_);
-    gl_->counter.handOverLists(view, frame);
+    gl_->volumes.handOverLists(view, frame);
+    if (view.settings.on("shadows")) gl_->volumes.addNotes(view, frame);
     frame.output("clip_from_view", matrixImage(clipFromView_));
     frame.output("counting_state", countingRows(checkedCounting(zPassCounting(), "z_pass.cpp"),
                                                 checkedCounting(zFailCounting(), "z_fail.cpp")));

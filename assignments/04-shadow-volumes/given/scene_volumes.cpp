@@ -133,7 +133,9 @@ void LightVolumes::drawLines(const std::vector<GLuint>& ends) {
 SceneVolumes::SceneVolumes(const Scene& scene) : meshes_(scene.meshes) {
     std::vector<glm::vec4> vertices;
     for (const Mesh& mesh : meshes_) {
-        casters_.push_back({meshEdges(mesh), GLuint(vertices.size())});
+        MeshEdges edges = meshEdges(mesh);
+        const MeshReport report = meshReport(edges);
+        casters_.push_back({std::move(edges), report, GLuint(vertices.size())});
         for (const float w : {1.0f, 0.0f})
             for (const glm::vec3 p : mesh.positions) vertices.emplace_back(p, w);
     }

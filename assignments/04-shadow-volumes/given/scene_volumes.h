@@ -28,6 +28,7 @@ struct MeshVolume {
 // What never changes while the scene rests.
 struct CasterMesh {
     MeshEdges edges;
+    MeshReport report;
     GLuint firstVertex = 0;  // in the vertex buffer: first the mesh's vertices, then their twins
 };
 

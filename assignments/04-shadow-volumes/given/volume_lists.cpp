@@ -1,6 +1,11 @@
 // What your C++ returned, as images: for the grader, and for you.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
 #include "value_rows.h"
-#include "volume_counter.h"
+#include "volume_pass.h"
 
 namespace penumbra {
 
@@ -21,9 +26,37 @@ void append(std::vector<float>& corners, const std::vector<glm::uvec3>& triangle
         }
 }
 
+std::string firstFew(const std::vector<std::string>& names) {
+    const auto few = std::span(names).first(std::min<std::size_t>(names.size(), 3));
+    return fmt::format("{}{}", fmt::join(few, ", "), names.size() > few.size() ? ", …" : "");
+}
+
 }  // namespace
 
-void VolumeCounter::handOverLists(const View& view, Frame& frame) {
+void VolumePass::addNotes(const View& view, Frame& frame) const {
+    std::vector<std::string> open, masked;
+    std::string why;
+    for (const LightVolumes::Part part : parts(view, view.light)) {
+        const Mesh& mesh = view.scene.meshes[part.mesh];
+        const std::string name = mesh.name.empty() ? std::to_string(part.mesh) : mesh.name;
+        const MeshReport& report = volumes_->casters()[part.mesh].report;
+        if (!report.closed()) {
+            if (open.empty()) why = report.text();
+            open.push_back(name);
+        }
+        if (view.scene.materials[std::size_t(mesh.material)].alphaCutoff > 0)
+            masked.push_back(name);
+    }
+    if (!open.empty())
+        frame.note(
+            fmt::format("{} of {} meshes ({}) take all their triangles for a volume; {} is {}",
+                        open.size(), view.scene.meshes.size(), firstFew(open), open.front(), why));
+    if (!masked.empty())
+        frame.note(fmt::format("alpha masks are unknown to volumes ({}): holes cast shadow, too",
+                               firstFew(masked)));
+}
+
+void VolumePass::handOverLists(const View& view, Frame& frame) {
     const char* const names[] = {"facing", "weights", "edge_sums", "mesh_kinds",
                                  "volume_triangles"};
     if (std::none_of(std::begin(names), std::end(names),

@@ -1,9 +1,9 @@
 // Draws a light's shadow volumes: into the stencil buffer, into a float target and from there into
 // the stencil buffer, or translucent over the picture.
 //
-//   counter.prepare(view, clipFromWorld);            // once a frame
-//   counter.count(view, 0, light, targets);          // stencil: not 0 where the light is blocked
-//   Image counts = counter.counts(view, targets);    // of the last light counted
+//   volumes.prepare(view, clipFromWorld);            // once a frame
+//   volumes.count(view, 0, light, targets);          // stencil: not 0 where the light is blocked
+//   Image counts = volumes.counts(view, targets);    // of the last light counted
 #pragma once
 
 #include "passes_as_data.h"
@@ -13,12 +13,12 @@
 
 namespace penumbra {
 
-class VolumeCounter {
+class VolumePass {
 public:
-    VolumeCounter();
-    ~VolumeCounter();
-    VolumeCounter(const VolumeCounter&) = delete;
-    VolumeCounter& operator=(const VolumeCounter&) = delete;
+    VolumePass();
+    ~VolumePass();
+    VolumePass(const VolumePass&) = delete;
+    VolumePass& operator=(const VolumePass&) = delete;
 
     void prepare(const View& view, const glm::mat4& clipFromWorld);
     // The blocks Camera and Light are uploaded; `bindBlocks` binds them to a program.
@@ -32,6 +32,8 @@ public:
                          const CameraTargets& targets, const BindBlocks& bindBlocks);
     Image counts(const View& view, const CameraTargets& targets) const;
 
+    // What is worth knowing about the key light's casters, if anything.
+    void addNotes(const View& view, Frame& frame) const;
     // The lists of image names that start with the light's volumes; see the handout's table.
     void handOverLists(const View& view, Frame& frame);
 

@@ -1,4 +1,4 @@
-#include "volume_counter.h"
+#include "volume_pass.h"
 
 #include <cstdlib>
 
@@ -28,11 +28,11 @@ void beginOverlay(const CameraTargets& targets) {
 
 }  // namespace
 
-VolumeCounter::VolumeCounter() { glGenVertexArrays(1, &emptyVertexArray_); }
+VolumePass::VolumePass() { glGenVertexArrays(1, &emptyVertexArray_); }
 
-VolumeCounter::~VolumeCounter() { glDeleteVertexArrays(1, &emptyVertexArray_); }
+VolumePass::~VolumePass() { glDeleteVertexArrays(1, &emptyVertexArray_); }
 
-void VolumeCounter::prepare(const View& view, const glm::mat4& clipFromWorld) {
+void VolumePass::prepare(const View& view, const glm::mat4& clipFromWorld) {
     if (!volumes_ || (revision_ != view.revision && !volumes_->isFor(view.scene)))
         volumes_ = std::make_unique<SceneVolumes>(view.scene);
     revision_ = view.revision;
@@ -42,7 +42,7 @@ void VolumeCounter::prepare(const View& view, const glm::mat4& clipFromWorld) {
 
 // A cap lies on its own surface and never before it, so z-pass can do without; not where the
 // surface has holes, through which the cap is seen.
-std::vector<LightVolumes::Part> VolumeCounter::parts(const View& view, const Light& light) const {
+std::vector<LightVolumes::Part> VolumePass::parts(const View& view, const Light& light) const {
     std::vector<LightVolumes::Part> parts;
     for (std::size_t i = 0; i < view.scene.meshes.size(); ++i) {
         if (culling_->skips(i, light)) continue;
@@ -53,12 +53,12 @@ std::vector<LightVolumes::Part> VolumeCounter::parts(const View& view, const Lig
     return parts;
 }
 
-LightVolumes& VolumeCounter::volumesOf(const View& view, std::size_t index, const Light& light) {
+LightVolumes& VolumePass::volumesOf(const View& view, std::size_t index, const Light& light) {
     return volumes_->ofLight(index, light.position(), kindOf(view));
 }
 
-void VolumeCounter::count(const View& view, std::size_t index, const Light& light,
-                          const CameraTargets& targets, const BindBlocks& bindBlocks) {
+void VolumePass::count(const View& view, std::size_t index, const Light& light,
+                       const CameraTargets& targets, const BindBlocks& bindBlocks) {
     const std::vector<LightVolumes::Part> drawn = parts(view, light);
     LightVolumes& volumes = volumesOf(view, index, light);
     const StencilCounting counting = countingOf(view);
@@ -74,10 +74,9 @@ void VolumeCounter::count(const View& view, std::size_t index, const Light& ligh
     volumes.draw(drawn, [&] { beginCounting(exchanged(counting)); });
 }
 
-void VolumeCounter::countInFloat(const View& view, const StencilCounting& counting,
-                                 LightVolumes& volumes,
-                                 const std::vector<LightVolumes::Part>& parts,
-                                 const CameraTargets& targets, const BindBlocks& bindBlocks) {
+void VolumePass::countInFloat(const View& view, const StencilCounting& counting,
+                              LightVolumes& volumes, const std::vector<LightVolumes::Part>& parts,
+                              const CameraTargets& targets, const BindBlocks& bindBlocks) {
     if (floatCounts_.id() == 0 || floatCounts_.size() != view.size)
         floatCounts_ = Texture({.size = view.size, .format = GL_R32F, .label = "counts"});
     const Framebuffer framebuffer({.colors = {&floatCounts_}, .depth = &targets.depth});
@@ -112,13 +111,13 @@ void VolumeCounter::countInFloat(const View& view, const StencilCounting& counti
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-Image VolumeCounter::counts(const View& view, const CameraTargets& targets) const {
+Image VolumePass::counts(const View& view, const CameraTargets& targets) const {
     return view.settings.chosen("counter") == "float" ? floatCounts_.read()
                                                       : targets.framebuffer.readStencil();
 }
 
-void VolumeCounter::showVolumes(const View& view, std::size_t index, const Light& light,
-                                const CameraTargets& targets, const BindBlocks& bindBlocks) {
+void VolumePass::showVolumes(const View& view, std::size_t index, const Light& light,
+                             const CameraTargets& targets, const BindBlocks& bindBlocks) {
     const Program& program = view.shaders.program("volume.vert", "show_volume.frag");
     bindBlocks(program);
     program.use();
@@ -130,8 +129,8 @@ void VolumeCounter::showVolumes(const View& view, std::size_t index, const Light
     endStencilPasses();
 }
 
-void VolumeCounter::showSilhouettes(const View& view, std::size_t index, const Light& light,
-                                    const CameraTargets& targets, const BindBlocks& bindBlocks) {
+void VolumePass::showSilhouettes(const View& view, std::size_t index, const Light& light,
+                                 const CameraTargets& targets, const BindBlocks& bindBlocks) {
     LightVolumes& volumes = volumesOf(view, index, light);
     std::vector<GLuint> once, oftener;  // ends of edges
     for (const LightVolumes::Part part : parts(view, light)) {
