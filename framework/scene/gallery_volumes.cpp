@@ -104,7 +104,7 @@ Scene nestedScene(double sheets) {
     Mesh stack;
     for (int i = 0; i < count; ++i) {
         const float low = 1.2f + 2.4f * float(i) / float(count);
-        const float thickness = 0.9f * 2.4f / float(count);
+        const float thickness = 0.75f * 2.4f / float(count);
         append(stack, box({-1.3f, low, -1.3f}, {1.3f, low + thickness, 1.3f}, paper));
     }
     stack.material = paper;

@@ -182,43 +182,59 @@ private:
     glm::dvec3 eye_, ray_, right_, down_;
 };
 
-bool steady(const VolumeCounter& counter, const Neighbourhood& around, glm::dvec3 receiver,
+bool steady(const VolumesAround& volumes, const Neighbourhood& around, glm::dvec3 receiver,
             glm::dvec3 normal, double pixels, int count) {
     const glm::dvec3 up = pixels * around.pixelWidth(receiver) * normal;
-    if (counter.besides(receiver, receiver + up) != count) return false;
+    if (volumes.besides(receiver, receiver + up) != count) return false;
     for (int y = -1; y <= 1; ++y)
         for (int x = -1; x <= 1; ++x) {
             if (x == 0 && y == 0) continue;
             const glm::dvec3 p = around.moved(receiver, normal, pixels * glm::dvec2(x, y));
-            if (std::isnan(p.x) || counter.besides(receiver, p) != count) return false;
+            if (std::isnan(p.x) || volumes.besides(receiver, p) != count) return false;
         }
     return true;
 }
 
-bool sameSurface(const Receivers& receivers, std::size_t i, std::size_t j) {
-    constexpr double kSine = 1e-3;  // float32 rounding of positions a pixel apart stays below
-    const glm::dvec3 apart(receivers.positions[j] - receivers.positions[i]);
-    return std::abs(glm::dot(apart, glm::dvec3(receivers.facetNormals[i]))) <=
-           kSine * glm::length(apart);
+// The camera turned so that what it sees through a pixel's centre lies about that far beside it; in
+// a picture's corners up to half as far again.
+Camera turned(Camera camera, glm::ivec2 size, glm::dvec2 byPixels) {
+    const glm::dvec3 ray = camera.pixelRay(size.x / 2, size.y / 2, size).direction;
+    const glm::dvec3 right = camera.pixelRay(size.x / 2 + 1, size.y / 2, size).direction - ray;
+    const glm::dvec3 down = camera.pixelRay(size.x / 2, size.y / 2 + 1, size).direction - ray;
+    const double far = glm::distance(glm::dvec3(camera.eye), glm::dvec3(camera.target));
+    camera.target += glm::vec3(far * (byPixels.x * right + byPixels.y * down));
+    return camera;
 }
 
-bool besideAnother(const Receivers& receivers, const Image& count, int x, int y) {
-    const auto index = [&](int px, int py) {
-        return std::size_t(py) * std::size_t(receivers.width) + std::size_t(px);
-    };
-    const std::size_t i = index(x, y);
-    for (int py = std::max(0, y - 1); py <= std::min(receivers.height - 1, y + 1); ++py)
-        for (int px = std::max(0, x - 1); px <= std::min(receivers.width - 1, x + 1); ++px) {
-            const std::size_t j = index(px, py);
-            if (!receivers.hit[j]) return true;
-            if (count.pixels[j] != count.pixels[i] && !sameSurface(receivers, i, j)) return true;
-        }
-    return false;
+// Clears pixels that see another plane with another count, or nothing, from a 64th of a pixel
+// beside: a rasteriser snaps edges to fractions of a pixel (1/256 is usual) and may see that one.
+void clearBesideAnother(const Scene& scene, const Camera& camera, const Receivers& receivers,
+                        const VolumesAround& volumes, VolumeCount& result) {
+    constexpr double kBeside = 1.0 / 64.0, kSine = 1e-3;  // the sine: above positions' rounding
+    const glm::ivec2 size(receivers.width, receivers.height);
+    const RayTracer tracer(scene);
+    for (const glm::dvec2 corner : {glm::dvec2(-1, -1), {1, -1}, {-1, 1}, {1, 1}}) {
+        const Receivers other = tracer.receivers(turned(camera, size, kBeside * corner), size);
+        parallelFor(size.y, [&](int y) {
+            for (int x = 0; x < size.x; ++x) {
+                const std::size_t i = std::size_t(y) * std::size_t(size.x) + std::size_t(x);
+                float& decidable = result.decidable.pixels[i];
+                if (decidable == 0.0f) continue;
+                const glm::vec3 place = other.positions[i];
+                const glm::dvec3 apart(place - receivers.positions[i]);
+                const double off = glm::dot(apart, glm::dvec3(receivers.facetNormals[i]));
+                const bool samePlane = other.hit[i] && std::abs(off) <= kSine * glm::length(apart);
+                if (!samePlane &&
+                    (!other.hit[i] || float(volumes.at(place)) != result.count.pixels[i]))
+                    decidable = 0.0f;
+            }
+        });
+    }
 }
 
 }  // namespace
 
-struct VolumeCounter::State {
+struct VolumesAround::State {
     State(const Scene& scene, const Light& from, CountedTriangles counted)
         : light(from.position()), tree(castersOf(scene, from, counted)) {}
 
@@ -226,12 +242,12 @@ struct VolumeCounter::State {
     Tree tree;
 };
 
-VolumeCounter::VolumeCounter(const Scene& scene, const Light& light, CountedTriangles counted)
+VolumesAround::VolumesAround(const Scene& scene, const Light& light, CountedTriangles counted)
     : state_(std::make_unique<State>(scene, light, counted)) {}
-VolumeCounter::~VolumeCounter() = default;
-VolumeCounter::VolumeCounter(VolumeCounter&&) noexcept = default;
+VolumesAround::~VolumesAround() = default;
+VolumesAround::VolumesAround(VolumesAround&&) noexcept = default;
 
-int VolumeCounter::besides(glm::vec3 receiver, glm::vec3 place) const {
+int VolumesAround::besides(glm::vec3 receiver, glm::vec3 place) const {
     const glm::vec4 light = state_->light;
     const glm::dvec3 along = towardsLight(place);
     const double end = light.w == 0.0f ? std::numeric_limits<double>::infinity() : 1.0;
@@ -242,11 +258,11 @@ int VolumeCounter::besides(glm::vec3 receiver, glm::vec3 place) const {
     return count;
 }
 
-glm::dvec3 VolumeCounter::towardsLight(glm::dvec3 point) const {
+glm::dvec3 VolumesAround::towardsLight(glm::dvec3 point) const {
     return glm::dvec3(state_->light) - double(state_->light.w) * point;
 }
 
-bool VolumeCounter::onCap(glm::vec3 point) const {
+bool VolumesAround::onCap(glm::vec3 point) const {
     bool on = false;
     state_->tree.alongSegment(point, glm::dvec3(0.0), 0.0,
                               [&](const Caster& caster) { on = on || holds(point, caster); });
@@ -256,7 +272,7 @@ bool VolumeCounter::onCap(glm::vec3 point) const {
 VolumeCount volumeCount(const Scene& scene, const Camera& camera, const Receivers& receivers,
                         const Light& light, float pixels, CountedTriangles counted) {
     EXPECTS(pixels > 0.0f);
-    const VolumeCounter counter(scene, light, counted);
+    const VolumesAround volumes(scene, light, counted);
     const glm::ivec2 size(receivers.width, receivers.height);
     VolumeCount result{Image(size.x, size.y, 1), Image(size.x, size.y, 1)};
     parallelFor(size.y, [&](int y) {
@@ -264,20 +280,16 @@ VolumeCount volumeCount(const Scene& scene, const Camera& camera, const Receiver
             const std::size_t i = std::size_t(y) * std::size_t(size.x) + std::size_t(x);
             if (!receivers.hit[i]) continue;
             const glm::dvec3 p(receivers.positions[i]), normal(receivers.facetNormals[i]);
-            const int count = counter.at(p);
+            const int count = volumes.at(p);
             result.count.pixels[i] = float(count);
             const Neighbourhood around(camera, size, {x, y});
-            const bool averted = glm::dot(counter.towardsLight(p), normal) <= 0.0;
+            const bool averted = glm::dot(volumes.towardsLight(p), normal) <= 0.0;
             const bool decidable =
-                !(averted && counter.onCap(p)) && steady(counter, around, p, normal, pixels, count);
+                !(averted && volumes.onCap(p)) && steady(volumes, around, p, normal, pixels, count);
             result.decidable.pixels[i] = decidable ? 1.0f : 0.0f;
         }
     });
-    const Image steadyPixels = result.decidable;
-    for (int y = 0; y < size.y; ++y)
-        for (int x = 0; x < size.x; ++x)
-            if (steadyPixels.at(x, y) != 0.0f && besideAnother(receivers, result.count, x, y))
-                result.decidable.at(x, y) = 0.0f;
+    clearBesideAnother(scene, camera, receivers, volumes, result);
     return result;
 }
 

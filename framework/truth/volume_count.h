@@ -2,7 +2,7 @@
 //
 //   VolumeCount truth = volumeCount(scene, scene.camera, receivers, light);
 //   bool lit = truth.count.at(x, y) == 0.0f;          // where truth.decidable.at(x, y) == 1
-//   int around = VolumeCounter(scene, light).at(scene.camera.eye);   // > 0: z-pass needs help
+//   int around = VolumesAround(scene, light).at(scene.camera.eye);   // > 0: z-pass needs help
 #pragma once
 
 #include <glm/glm.hpp>
@@ -27,12 +27,12 @@ enum class CountedTriangles {
 // volume. One whose plane holds the point, within float32 rounding (2^-20 of the coordinates), is
 // the point's own facet and does not count: the point lies on its volume's cap, not behind it.
 // Holes of alpha masks are not seen: volumes are made of whole triangles.
-class VolumeCounter {
+class VolumesAround {
 public:
-    VolumeCounter(const Scene& scene, const Light& light,
+    VolumesAround(const Scene& scene, const Light& light,
                   CountedTriangles counted = CountedTriangles::asNeeded);
-    ~VolumeCounter();
-    VolumeCounter(VolumeCounter&&) noexcept;
+    ~VolumesAround();
+    VolumesAround(VolumesAround&&) noexcept;
 
     int at(glm::vec3 point) const { return besides(point, point); }
     // At a place beside a receiver, whose own facets do not count there either.
@@ -55,9 +55,10 @@ struct VolumeCount {
 //   their facet's plane, or up from it as far;
 // - those on a counted facet that is averted from the light: seen from within the facet's own
 //   volume, which z-pass counts and z-fail does not (they are dark for their facet's sake);
-// - those beside a pixel that sees nothing, or another plane with another count: a rasteriser,
-//   which snaps edges to fractions of a pixel, may see that one.
-// Where facets meet in a hollow it leaves out a little too much.
+// - those within a 64th of a pixel of the background, or of another plane with another count:
+//   a rasteriser, which snaps edges to fractions of a pixel, may see that one.
+// Where facets meet in a hollow it leaves out a little too much; a volume thinner than `pixels`,
+// such as that of a leaf with its edge to the light, may slip between the places that are tried.
 VolumeCount volumeCount(const Scene& scene, const Camera& camera, const Receivers& receivers,
                         const Light& light, float pixels = 0.5f,
                         CountedTriangles counted = CountedTriangles::asNeeded);

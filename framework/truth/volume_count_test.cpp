@@ -23,7 +23,7 @@ int sideOf(const Mesh& mesh, glm::uvec3 t, glm::vec4 point) {
 
 // The volumes themselves, as surfaces: near caps, and sides from an edge's two ends away from the
 // light. What a view ray enters minus what it leaves, in float64: Crow's count, independent of
-// VolumeCounter's.
+// VolumesAround's.
 class VolumeSurfaces {
 public:
     VolumeSurfaces(const Scene& scene, const Light& light) : light_(light.position()) {
@@ -130,7 +130,7 @@ TEST(VolumeCount, IsWhatTheViewRayEntersPlusTheVolumesAroundTheEye) {
         const Light& light = seen.scene.lights[0];
         const glm::vec3 eye = seen.scene.camera.eye;
         const VolumeSurfaces surfaces(seen.scene, light);
-        const int around = VolumeCounter(seen.scene, light).at(eye);
+        const int around = VolumesAround(seen.scene, light).at(eye);
         int wrong = 0;
         for (std::size_t i = 0; i < seen.receivers.hit.size(); ++i) {
             if (seen.truth.decidable.pixels[i] == 0.0f) continue;
@@ -180,13 +180,13 @@ TEST(VolumeCount, OfAllTrianglesCountsEntryAndExit) {
     const Scene scene = sceneOf({parallelepiped({0, 2, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1})});
     Light light;
     light.center = {0.1f, 8, 0.2f};
-    EXPECT_EQ(VolumeCounter(scene, light).at({0, 0, 0}), 1);
-    EXPECT_EQ(VolumeCounter(scene, light, CountedTriangles::all).at({0, 0, 0}), 2);
-    EXPECT_EQ(VolumeCounter(scene, light).at({0, 2, 0}), 1) << "inside the box";
-    EXPECT_EQ(VolumeCounter(scene, light).at({3, 0, 0}), 0);
-    EXPECT_EQ(VolumeCounter(scene, light).at({0, 7, 0}), 0) << "between box and light";
-    EXPECT_EQ(VolumeCounter(scene, light).at({0, 2.5f, 0}), 0) << "on the facet: its own";
-    EXPECT_EQ(VolumeCounter(scene, light).at({0, 1.5f, 0}), 1) << "on the averted facet";
+    EXPECT_EQ(VolumesAround(scene, light).at({0, 0, 0}), 1);
+    EXPECT_EQ(VolumesAround(scene, light, CountedTriangles::all).at({0, 0, 0}), 2);
+    EXPECT_EQ(VolumesAround(scene, light).at({0, 2, 0}), 1) << "inside the box";
+    EXPECT_EQ(VolumesAround(scene, light).at({3, 0, 0}), 0);
+    EXPECT_EQ(VolumesAround(scene, light).at({0, 7, 0}), 0) << "between box and light";
+    EXPECT_EQ(VolumesAround(scene, light).at({0, 2.5f, 0}), 0) << "on the facet: its own";
+    EXPECT_EQ(VolumesAround(scene, light).at({0, 1.5f, 0}), 1) << "on the averted facet";
 }
 
 TEST(VolumeCount, SegmentThroughACommonEdgeOrCornerMeetsOneTriangle) {
@@ -197,10 +197,10 @@ TEST(VolumeCount, SegmentThroughACommonEdgeOrCornerMeetsOneTriangle) {
     fan.triangles = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
     Light light;
     light.center = {0, 2, 0};
-    const VolumeCounter counter(sceneOf({fan}), light);
+    const VolumesAround volumes(sceneOf({fan}), light);
     for (const glm::vec3 p : {glm::vec3(0.5f, 0, 0.5f), glm::vec3(-0.5f, 0, 0.5f),
                               glm::vec3(0.25f, 0, -0.25f), glm::vec3(0, 0, 0)})
-        EXPECT_EQ(counter.at(p), 1) << p.x << ' ' << p.z;
+        EXPECT_EQ(volumes.at(p), 1) << p.x << ' ' << p.z;
 }
 
 TEST(VolumeCount, PowersOfTwoChangeNothing) {
@@ -214,7 +214,7 @@ TEST(VolumeCount, PowersOfTwoChangeNothing) {
 TEST(EyeInsideScene, EyeIsInAVolume) {
     for (const char* name : {"eye_inside", "eye_inside@2", "eye_inside@3", "eye_inside@77"}) {
         const Scene scene = loadScene(name);
-        EXPECT_GE(VolumeCounter(scene, scene.lights[0]).at(scene.camera.eye), 1) << name;
+        EXPECT_GE(VolumesAround(scene, scene.lights[0]).at(scene.camera.eye), 1) << name;
         const Seen seen = look(scene, 48);
         const auto& counts = seen.truth.count.pixels;
         for (const float count : {0.0f, 1.0f})
@@ -226,15 +226,15 @@ TEST(NearCutScene, VolumeCutsTheNearRectangleButNotTheEye) {
     for (const char* name : {"near_cut", "near_cut@2", "near_cut@3", "near_cut@77"}) {
         const Scene scene = loadScene(name);
         const Camera& camera = scene.camera;
-        const VolumeCounter counter(scene, scene.lights[0]);
-        EXPECT_EQ(counter.at(camera.eye), 0) << name;
+        const VolumesAround volumes(scene, scene.lights[0]);
+        EXPECT_EQ(volumes.at(camera.eye), 0) << name;
         const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
         int inside = 0, outside = 0;
         for (int y = 0; y < 16; ++y)
             for (int x = 0; x < 16; ++x) {
                 const Ray ray = camera.pixelRay(x, y, {16, 16});
                 const double far = camera.nearPlane / glm::dot(ray.direction, forward);
-                ++(counter.at(ray.origin + far * ray.direction) > 0 ? inside : outside);
+                ++(volumes.at(ray.origin + far * ray.direction) > 0 ? inside : outside);
             }
         EXPECT_GT(inside, 50) << name;
         EXPECT_GT(outside, 50) << name;
