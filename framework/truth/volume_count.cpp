@@ -183,7 +183,8 @@ private:
 };
 
 bool steady(const VolumesAround& volumes, const Neighbourhood& around, glm::dvec3 receiver,
-            glm::dvec3 normal, double pixels, int count) {
+            glm::dvec3 normal, double pixels) {
+    const int count = volumes.at(receiver);
     const glm::dvec3 up = pixels * around.pixelWidth(receiver) * normal;
     if (volumes.besides(receiver, receiver + up) != count) return false;
     for (int y = -1; y <= 1; ++y)
@@ -224,8 +225,9 @@ void clearBesideAnother(const Scene& scene, const Camera& camera, const Receiver
                 const glm::dvec3 apart(place - receivers.positions[i]);
                 const double off = glm::dot(apart, glm::dvec3(receivers.facetNormals[i]));
                 const bool samePlane = other.hit[i] && std::abs(off) <= kSine * glm::length(apart);
-                if (!samePlane &&
-                    (!other.hit[i] || float(volumes.at(place)) != result.count.pixels[i]))
+                if (samePlane) continue;
+                if (!other.hit[i] ||
+                    float(volumes.above(place, other.facetNormals[i])) != result.count.pixels[i])
                     decidable = 0.0f;
             }
         });
@@ -262,11 +264,12 @@ glm::dvec3 VolumesAround::towardsLight(glm::dvec3 point) const {
     return glm::dvec3(state_->light) - double(state_->light.w) * point;
 }
 
-bool VolumesAround::onCap(glm::vec3 point) const {
-    bool on = false;
-    state_->tree.alongSegment(point, glm::dvec3(0.0), 0.0,
-                              [&](const Caster& caster) { on = on || holds(point, caster); });
-    return on;
+int VolumesAround::above(glm::vec3 receiver, glm::vec3 facetNormal) const {
+    int count = at(receiver);
+    if (glm::dot(towardsLight(receiver), glm::dvec3(facetNormal)) <= 0.0)
+        state_->tree.alongSegment(receiver, glm::dvec3(0.0), 0.0,
+                                  [&](const Caster& caster) { count += holds(receiver, caster); });
+    return count;
 }
 
 VolumeCount volumeCount(const Scene& scene, const Camera& camera, const Receivers& receivers,
@@ -280,13 +283,9 @@ VolumeCount volumeCount(const Scene& scene, const Camera& camera, const Receiver
             const std::size_t i = std::size_t(y) * std::size_t(size.x) + std::size_t(x);
             if (!receivers.hit[i]) continue;
             const glm::dvec3 p(receivers.positions[i]), normal(receivers.facetNormals[i]);
-            const int count = volumes.at(p);
-            result.count.pixels[i] = float(count);
+            result.count.pixels[i] = float(volumes.above(p, normal));
             const Neighbourhood around(camera, size, {x, y});
-            const bool averted = glm::dot(volumes.towardsLight(p), normal) <= 0.0;
-            const bool decidable =
-                !(averted && volumes.onCap(p)) && steady(volumes, around, p, normal, pixels, count);
-            result.decidable.pixels[i] = decidable ? 1.0f : 0.0f;
+            result.decidable.pixels[i] = steady(volumes, around, p, normal, pixels) ? 1.0f : 0.0f;
         }
     });
     clearBesideAnother(scene, camera, receivers, volumes, result);

@@ -25,7 +25,7 @@ enum class CountedTriangles {
 // Crossings by exact signs (orientation.h) of the float32 positions: two triangles that share an
 // edge never both miss a segment, nor both catch it. A triangle whose plane holds the light has no
 // volume. One whose plane holds the point, within float32 rounding (2^-20 of the coordinates), is
-// the point's own facet and does not count: the point lies on its volume's cap, not behind it.
+// the point's own facet and does not count: the point lies on its volume's cap.
 // Holes of alpha masks are not seen: volumes are made of whole triangles.
 class VolumesAround {
 public:
@@ -37,26 +37,26 @@ public:
     int at(glm::vec3 point) const { return besides(point, point); }
     // At a place beside a receiver, whose own facets do not count there either.
     int besides(glm::vec3 receiver, glm::vec3 place) const;
-    bool onCap(glm::vec3 point) const;  // on a counted triangle
-    glm::dvec3 towardsLight(glm::dvec3 point) const;
+    // Just above a receiver's facet, on the side of its normal: where that side is averted from the
+    // light, the facet's own volume, if it counts, is there, too.
+    int above(glm::vec3 receiver, glm::vec3 facetNormal) const;
 
 private:
+    glm::dvec3 towardsLight(glm::dvec3 point) const;
     struct State;
     std::unique_ptr<State> state_;
 };
 
 struct VolumeCount {
-    Image count;      // one channel, whole numbers; 0 where no surface is seen
+    Image count;      // one channel, whole numbers: above the facet seen; 0 where none is seen
     Image decidable;  // 1 where a right technique must agree, else 0; 0 where no surface is seen
 };
 
 // `decidable` leaves out
 // - receivers near a volume's side: their count turns when they move by `pixels` pixels within
 //   their facet's plane, or up from it as far;
-// - those on a counted facet that is averted from the light: seen from within the facet's own
-//   volume, which z-pass counts and z-fail does not (they are dark for their facet's sake);
-// - those within a 64th of a pixel of the background, or of another plane with another count:
-//   a rasteriser, which snaps edges to fractions of a pixel, may see that one.
+// - those within a 64th of a pixel of the background, or of another plane with another count: a
+//   rasteriser, which snaps edges to fractions of a pixel, may see that one.
 // Where facets meet in a hollow it leaves out a little too much; a volume thinner than `pixels`,
 // such as that of a leaf with its edge to the light, may slip between the places that are tried.
 VolumeCount volumeCount(const Scene& scene, const Camera& camera, const Receivers& receivers,
