@@ -28,9 +28,9 @@ struct Assignment {
     // Declares every dial. Called once, before the first render().
     virtual void settings(Settings& settings) = 0;
 
-    // What the settings do to the scene (a light's height, a plane's tilt, a moment in time), so that
-    // truth and technique see the same. Called with the scene as opened whenever a setting changed.
-    // With every setting at its default the scene must stay as it is.
+    // What the settings do to the scene (a light's height, a plane's tilt, a moment in time), so
+    // that truth and technique see the same. Called with the scene as opened whenever a setting
+    // changed. With every setting at its default the scene must stay as it is.
     virtual void arrange(const Settings&, Scene&) const {}
 
     // Draws view.scene and hands over named images: at least "visibility" (one channel, 1 where the

@@ -40,7 +40,10 @@ Framebuffer::~Framebuffer() {
 }
 
 Framebuffer::Framebuffer(Framebuffer&& other) noexcept
-    : id_(std::exchange(other.id_, 0)), size_(other.size_), attached_(std::move(other.attached_)), stencil_(other.stencil_) {}
+    : id_(std::exchange(other.id_, 0)),
+      size_(other.size_),
+      attached_(std::move(other.attached_)),
+      stencil_(other.stencil_) {}
 
 Framebuffer& Framebuffer::operator=(Framebuffer&& other) noexcept {
     std::swap(id_, other.id_);
@@ -80,8 +83,8 @@ Image Framebuffer::readStencil() const {
     Image image(size_.x, size_.y, 1);
     for (int y = 0; y < size_.y; ++y)  // OpenGL's row 0 is at the bottom
         for (int x = 0; x < size_.x; ++x)
-            image.at(x, y) = float(values[std::size_t(size_.y - 1 - y) * std::size_t(size_.x) +
-                                          std::size_t(x)]);
+            image.at(x, y) =
+                float(values[std::size_t(size_.y - 1 - y) * std::size_t(size_.x) + std::size_t(x)]);
     return image;
 }
 

@@ -14,10 +14,9 @@
 namespace penumbra {
 
 struct TextureDescription {
-    glm::ivec2 size{0};  // texels, both > 0
-    GLenum format =
-        GL_RGBA32F;  // R/RG/RGB/RGBA 8, 16F, 32F, SRGB8_ALPHA8, DEPTH_COMPONENT16/24/32F,
-                     // DEPTH24_STENCIL8, DEPTH32F_STENCIL8
+    glm::ivec2 size{0};          // texels, both > 0
+    GLenum format = GL_RGBA32F;  // R/RG/RGB/RGBA 8, 16F, 32F, SRGB8_ALPHA8,
+                                 // DEPTH_COMPONENT16/24/32F, DEPTH24_STENCIL8, DEPTH32F_STENCIL8
     GLenum filter = GL_NEAREST;  // GL_NEAREST or GL_LINEAR, level 0 only
     GLenum wrap = GL_CLAMP_TO_EDGE;
     bool compare = false;    // depth formats: sampler2DShadow, lit where reference <= texel
@@ -34,7 +33,7 @@ public:
 
     void upload(const Image& image);              // same size, channels fit the format
     void uploadBytes(const unsigned char* rgba);  // 4 bytes a texel, row 0 at v = 0
-    Image read() const;  // of a depth-stencil texture: its depth
+    Image read() const;                           // of a depth-stencil texture: its depth
 
     GLuint id() const { return id_; }
     glm::ivec2 size() const { return description_.size; }

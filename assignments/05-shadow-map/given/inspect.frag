@@ -8,5 +8,6 @@ layout(location = 0) out vec4 shadowCoordinates;  // u, v, depth, and lightClip.
 
 void main() {
     if (isHole(surfaceUv)) discard;
-    shadowCoordinates = vec4(shadowMapUvDepth(lightClip), lightClip.w);
+    // In the plane of the light there are no coordinates; an image holds finite numbers only.
+    shadowCoordinates = lightClip.w == 0.0 ? vec4(0.0) : vec4(shadowMapUvDepth(lightClip), lightClip.w);
 }
