@@ -2,11 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-
 #include <glm/gtc/matrix_access.hpp>
+
 #include "core/checks.h"
 #include "planar_truth.h"
-
 #include "scene/gallery.h"
 #include "truth/visibility.h"
 
@@ -52,8 +51,7 @@ struct Matrices {
         for (int i = 0; i < 4; ++i) planeVector[i] = frame.at("plane").at(i, 0);
     }
     // Of one entry before its terms cancel: float32 rounds relative to this.
-    double groundScale() const { return glm::length(light); }
-    double planeScale() const { return glm::length(planeVector) * glm::length(light); }
+    double scale() const { return glm::length(planeVector) * glm::length(light); }
 };
 
 const dvec4 kGround(0, 1, 0, 0);
@@ -76,9 +74,8 @@ void expectEntries(const char* subject, const std::vector<Matrices>& all,
                    const std::function<dmat4(const Matrices&)>& exact) {
     Rows measured, truth;
     for (const Matrices& m : all) {
-        const double scale = m.planeScale();
-        for (const vec4 row : rowsOf(mine(m) / scale)) measured.push_back(row);
-        for (const vec4 row : rowsOf(exact(m) / scale)) truth.push_back(row);
+        for (const vec4 row : rowsOf(mine(m) / m.scale())) measured.push_back(row);
+        for (const vec4 row : rowsOf(exact(m) / m.scale())) truth.push_back(row);
     }
     expectRowsNear(subject, measured, truth,
                    {.absolute = 3e-7, .relative = 0, .components = 4, .cause = kEntryRounding});
@@ -373,8 +370,8 @@ TEST(Task3Drawing, NothingIsDrawnOverCasters) {
 
 // --- Task 4 ---
 
-// Planes and lights on their lit side, and casters anywhere; none within 1 % of a boundary, so that
-// rounding decides nothing.
+// Planes and lights on their lit side, and casters anywhere; none nearer than 0.1 to a boundary, so
+// that rounding decides nothing.
 struct Casters {
     Rows planes, lights, casters, others;
 
