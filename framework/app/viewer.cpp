@@ -243,6 +243,8 @@ void Viewer::learnNames(const Frame& frame) {
     state_.imageNames.assign(names.begin(), names.end());
     if (!first) return;
     for (const char* usual : {"color", "visibility", "depth"}) names.erase(usual);
+    for (const auto& [name, image] : frame.images())  // lists and matrices say little to the eye
+        if (image.width < 64 || image.height < 64) names.erase(name);
     if (names.count("shadow_map"))
         state_.inset = "shadow_map";
     else if (!names.empty())
