@@ -54,27 +54,37 @@ PENUMBRA_UI_LOG=$log "$program" open --scene boxes --layer "$folder/layer" > "$f
 window=$!
 waitFor '^item [a-z_]+ .*' && waitFor '^truth done'
 
-# The first slider that is a number: from its left end to its middle.
-setting=$("$program" list | awk '/…/ { print $1; exit }')
-read -r _ _ x0 y0 x1 y1 <<< "$(last "^item $setting ")"
-before=$(last '^frame ') seen=$(lines)
-middle=$(((x0 + x1) / 2)) height=$(((y0 + y1) / 2))
-xdotool mousemove $((x0 + 6)) $height mousedown 1
-value=0
-for ((i = 0; i < 100; ++i)); do  # a hand that trembles: some window systems drop the first move
-    xdotool mousemove $((middle + i % 2)) $height
-    sleep 0.1
-    value=$(last "^setting $setting ")
-    value=${value##* }
-    [ "$(awk -v v="${value:-0}" 'BEGIN { print (v > 1) }')" = 1 ] && break
-done
-xdotool mouseup 1
-[ "$(awk -v v="${value:-0}" 'BEGIN { print (v > 1) }')" = 1 ] || fail "dragging $setting to the middle gave '$value'"
-waitFor '^frame ' "$seen"
-waitFor '^truth done' "$seen"
-after=$(last '^frame ')
-[ "${before##* }" != "${after##* }" ] || fail "$setting is $value, but the picture is as before: $after"
-echo "slider: $setting $value, mean visibility ${before##* } -> ${after##* }"
+# Within a tenth of the range: a mouse meets a slider's pixel, and a whole number its neighbour.
+inTheMiddle() {
+    [ -n "$1" ] && awk -v v="$1" -v a="$minimum" -v b="$maximum" \
+        'BEGIN { exit !((v - (a + b) / 2) ^ 2 <= (0.1 * (b - a)) ^ 2) }'
+}
+
+# Sliders of numbers, each from its left end to its middle, until one changes the picture.
+moved=""
+while read -r setting minimum maximum; do
+    read -r _ _ x0 y0 x1 y1 <<< "$(last "^item $setting ")"
+    before=$(last '^frame ') seen=$(lines)
+    middle=$(((x0 + x1) / 2)) height=$(((y0 + y1) / 2))
+    xdotool mousemove $((x0 + 6)) $height mousedown 1
+    value=
+    for ((i = 0; i < 100; ++i)); do  # a hand that trembles: some window systems drop the first move
+        xdotool mousemove $((middle + i % 2)) $height
+        sleep 0.1
+        value=$(last "^setting $setting ")
+        value=${value##* }
+        inTheMiddle "$value" && break
+    done
+    xdotool mouseup 1
+    sleep 0.3  # ImGui 1.86 looks once a frame: a press right after would be the same press
+    inTheMiddle "$value" || fail "dragging $setting to the middle of $minimum … $maximum gave '$value'"
+    waitFor '^frame ' "$seen"
+    waitFor '^truth done' "$seen"
+    after=$(last '^frame ')
+    [ "${before##* }" != "${after##* }" ] && moved="$setting $value" && break
+done < <("$program" list | awk '$3 == "…" { print $1, $2, $4 }')
+[ -n "$moved" ] || fail "no slider changes the picture"
+echo "slider: $moved, mean visibility ${before##* } -> ${after##* }"
 
 # A typing error in the student's file, on the line after its last.
 seen=$(lines)

@@ -60,16 +60,15 @@ function(course_add_program target)
 endfunction()
 set(PENUMBRA_FRAMEWORK ${PROJECT_SOURCE_DIR}/framework)
 
-# The window's test needs some technique: the first solution that is found serves.
-function(course_add_window_test program solution)
+function(course_add_window_test assignment program solution)
   file(GLOB shaders CONFIGURE_DEPENDS ${solution}/*.glsl)
-  if(NOT shaders OR TEST viewer.slider_drag OR NOT UNIX OR APPLE)
+  if(NOT shaders OR NOT UNIX OR APPLE)
     return()
   endif()
   list(GET shaders 0 shader)
-  add_test(NAME viewer.slider_drag COMMAND ${PENUMBRA_FRAMEWORK}/app/viewer_test.sh
+  add_test(NAME ${assignment}.window COMMAND ${PENUMBRA_FRAMEWORK}/app/viewer_test.sh
                                            $<TARGET_FILE:${program}> ${shader})
-  set_tests_properties(viewer.slider_drag PROPERTIES TIMEOUT 120 SKIP_RETURN_CODE 77)
+  set_tests_properties(${assignment}.window PROPERTIES TIMEOUT 120 SKIP_RETURN_CODE 77)
 endfunction()
 
 # Every folder of assignments/ is an assignment; no list names it.
@@ -84,7 +83,7 @@ function(course_add_all_assignments)
     set(solution ${PROJECT_SOURCE_DIR}/solutions/${name})
     if(EXISTS ${solution})
       course_add_program(${name}.solution ${handout} ${solution})
-      course_add_window_test(${name}.solution ${solution})
+      course_add_window_test(${name} ${name}.solution ${solution})
       if(UNIX)
         add_test(NAME ${name}.headless
                  COMMAND ${PENUMBRA_FRAMEWORK}/app/headless_test.sh $<TARGET_FILE:${name}.solution>)

@@ -115,7 +115,7 @@ void ShadowVolumes::arrange(const Settings& settings, Scene& scene) const {
     const float radius = 0.04f * bounds(scene).diagonal();
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         Light& light = scene.lights[i];
-        const float turns = float(4 + i % 5) / 60.0f, start = 2.4f * float(i);  // golden angle
+        const float turns = float(5 + i % 5) / 60.0f, start = 2.4f * float(i);  // golden angle
         const float angle = start + glm::two_pi<float>() * turns * time;
         light.center += radius * glm::vec3(std::cos(angle) - std::cos(start), 0.0f,
                                            std::sin(angle) - std::sin(start));
