@@ -173,10 +173,10 @@ void ShadowVolumes::oneLight(const View& view, Frame& frame, std::size_t index) 
         auto timing = frame.time("volumes");
         if (addLight_.clearsStencil) targets_->framebuffer.clearStencil();
         gl_->volumes.count(view, index, light, *targets_, binder());
+        const bool shown = view.settings.chosen("show") == "counts" && frame.wants("color");
+        if (index == 0 && (frame.wants("stencil_count") || shown))
+            counts_ = gl_->volumes.counts(view, *targets_);
     }
-    const bool shown = view.settings.chosen("show") == "counts" && frame.wants("color");
-    if (index == 0 && (frame.wants("stencil_count") || shown))
-        counts_ = gl_->volumes.counts(view, *targets_);
     if (frame.wants("color") || frame.wants("visibility")) {
         auto timing = frame.time("light");
         lightPass(view, index);

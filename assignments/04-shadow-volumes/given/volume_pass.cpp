@@ -81,7 +81,9 @@ void VolumePass::countInFloat(const View& view, const StencilCounting& counting,
         floatCounts_ = Texture({.size = view.size, .format = GL_R32F, .label = "counts"});
     const Framebuffer framebuffer({.colors = {&floatCounts_}, .depth = &targets.depth});
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDisable(GL_SCISSOR_TEST);  // beyond the light's reach the count is 0, too
     framebuffer.clearColor(0, glm::vec4(0.0f));
+    glEnable(GL_SCISSOR_TEST);
     const Program& program = view.shaders.program("volume.vert", "count_float.frag");
     bindBlocks(program);
     program.use();
