@@ -195,10 +195,6 @@ Key Viewer::pictureKey() const {
 
 void Viewer::redrawIfChanged() {
     keepInRange(session_.camera, state_.box, state_.cameraFar);
-    if (Key view = viewKey(); view != seen_) {
-        seen_ = std::move(view);
-        movedAt_ = Clock::now();
-    }
     Key key = pictureKey();
     if (key == drawn_ && !state_.learnNames) return;
     try {
@@ -209,6 +205,12 @@ void Viewer::redrawIfChanged() {
     }
     drawn_ = std::move(key);
     lively_ = kSettlingFrames;
+    // After the redraw, which may have arranged the scene anew and may have taken longer than a
+    // rest.
+    if (Key view = viewKey(); view != seen_) {
+        seen_ = std::move(view);
+        movedAt_ = Clock::now();
+    }
 }
 
 void Viewer::redraw() {
