@@ -14,7 +14,7 @@ vec4 biasedLightClip(vec4 lightClip, vec3 facet, float cosTheta, float lightDist
 // on the eye's side. Returns the fraction of the point light that the receiver sees, as far as the map knows.
 // Without branches: a software rasteriser computes both sides of each.
 float shadowMapVisibility(vec3 receiver, vec3 facet, vec4 lightClip) {
-    vec3 toLight = light.center - receiver;
+    vec3 toLight = towardsLight(receiver);
     float lightDistance = length(toLight);
     float cosTheta = dot(facet, toLight) / lightDistance;
     float known = visibilityOutsideMap(lightClip);
@@ -24,5 +24,6 @@ float shadowMapVisibility(vec3 receiver, vec3 facet, vec4 lightClip) {
     if (map.receiverPlane != 0) gradient = receiverPlaneGradient(dFdx(unbiased), dFdy(unbiased));
     vec3 uvDepth = shadowMapUvDepth(biasedLightClip(lightClip, facet, cosTheta, lightDistance));
     float visibility = known == kInsideMap ? filteredVisibility(uvDepth, gradient) : known;
-    return cosTheta > 0.0 ? visibility : 0.0;  // attached shadow: no map needed
+    bool reached = cosTheta > 0.0 && lightDistance * light.inverseRange < 1.0;
+    return reached ? visibility : 0.0;  // attached shadow, out of range: no map needed
 }
