@@ -102,8 +102,15 @@ PixelRectangle VolumeCulling::reach(const Light& light) const {
     const PixelRectangle everything{{0, 0}, view_.size};
     if (!view_.settings.on("scissor") || light.directional || std::isinf(light.range))
         return everything;
+    Box lit;  // by this light, at most
+    for (const std::size_t receiver : receivers_) {
+        const Box part = withinRange(boxes_[receiver], light);
+        if (!glm::all(glm::lessThanEqual(part.lower, part.upper))) continue;
+        lit.include(part.lower), lit.include(part.upper);
+    }
+    if (lit.empty()) return {};
     glm::vec2 lower(1.0f), upper(-1.0f);
-    for (const glm::vec3 p : corners({light.center - light.range, light.center + light.range})) {
+    for (const glm::vec3 p : corners(lit)) {
         const glm::vec4 clip = clipFromWorld_ * glm::vec4(p, 1.0f);
         if (clip.w <= 0) return everything;  // reaches behind the eye
         lower = glm::min(lower, glm::vec2(clip) / clip.w);
