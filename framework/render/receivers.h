@@ -6,6 +6,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <span>
 #include <vector>
 
 #include "scene/scene.h"
@@ -26,5 +27,8 @@ enum class Clip {
 std::vector<glm::vec3> visiblePoints(const Scene& scene, const glm::mat4& clipFromWorld,
                                      Clip clip = Clip::all,
                                      glm::vec4 halfSpace = {0.0f, 0.0f, 0.0f, 1.0f});
+
+// The same for the convex region where n·p + d >= 0 for each of `planes` (n, d).
+std::vector<glm::vec3> pointsInside(const Scene& scene, std::span<const glm::vec4> planes);
 
 }  // namespace penumbra
