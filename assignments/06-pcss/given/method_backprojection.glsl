@@ -1,0 +1,3 @@
+#include "hidden_area.glsl"
+
+float softVisibility(Receiver receiver) { return backprojectedVisibility(receiver); }

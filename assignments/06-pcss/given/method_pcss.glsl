@@ -1,0 +1,3 @@
+#include "pcss.glsl"
+
+float softVisibility(Receiver receiver) { return pcssVisibility(receiver); }

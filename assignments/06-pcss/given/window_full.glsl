@@ -1,0 +1,5 @@
+// pyramid=off: whatever can block at all.
+#include "soft_shadow.glsl"
+#include "penumbra.glsl"
+
+vec2 searchWindowUv(Receiver receiver) { return searchWidthUv(soft.widthScaleUv, receiver.uvDepth.z); }
