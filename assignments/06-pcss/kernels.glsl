@@ -7,7 +7,7 @@ vec2 shearedGrid(vec2 cell, float inverse) {
     return (cell + 0.5) * inverse - 0.5;  // yours; this is the plain grid
 }
 
-// Task 7b · the square's points on a disk of the same area.                                README §7, [Shirley 1997]
+// Task 7b · the square's points on a disk of the same area.                                README §7, [Shirley & Chiu 1997]
 //   square   in [-1/2, 1/2]²
 // Returns a point of the disk around 0 with area 1: squares around 0 become circles around 0, and equal areas stay
 // equal. Axes stay where they are; (0, 0) stays (0, 0).
