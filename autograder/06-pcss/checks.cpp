@@ -286,7 +286,8 @@ TEST(Task4BlockerSearch, OnlyBlockersEnterTheMean) {
             const double bias = view.bias(depth, 512);
             double sum = 0, count = 0;
             visitGrid({receivers.at(x, y, 0), receivers.at(x, y, 1)},
-                      vec2(search.at(x, y, 0), search.at(x, y, 1)) / 512.0f, 5, [&](vec2 uv) {
+                      vec2(view.scaleUv) * vec2(search.at(x, y, 0), search.at(x, y, 1)), 5,
+                      [&](vec2 uv) {
                           if (depth - map(uv) > bias) sum += map(uv), count += 1;
                       });
             truth.at(x, y) = count > 0 ? float(sum / count) : 0;

@@ -143,7 +143,7 @@ void Pcss::settings(Settings& s) {
               .unit = "texels",
               .minimum = 0.5,
               .maximum = 64,
-              .value = 6});
+              .value = 4});
     s.number({.name = "constant_bias",
               .help = "a blocker is nearer than the receiver by at least so much",
               .unit = "texels",

@@ -3,19 +3,20 @@
 #include "blocker_search.glsl"
 #include "penumbra.glsl"
 
-layout(location = 0) out float blockerDepth;  // mean, 0 where none
-layout(location = 1) out float penumbraTexels;
-layout(location = 2) out vec4 searched;  // width of the search window [texels, u v], share of blockers, receiver's depth
+// Widths in units of S, the light seen through the whole depth range, so that they run from 0 to 1 as depths do.
+layout(location = 0) out float blockerDepth;   // mean, 0 where none
+layout(location = 1) out float penumbraWidth;  // 0 where nothing blocks
+layout(location = 2) out vec4 searched;        // width of the search window along u and v, share of blockers, receiver's depth
 
 void main() {
     float kind;
     Receiver receiver = receiverAt(ivec2(gl_FragCoord.xy), kind);
-    blockerDepth = 0.0, penumbraTexels = 0.0, searched = vec4(0.0);
+    blockerDepth = 0.0, penumbraWidth = 0.0, searched = vec4(0.0);
     if (kind <= 0.0) return;
     vec2 window = searchWindowUv(receiver);
     Blockers blockers = findBlockers(receiver, window);
-    blockerDepth = blockers.share > 0.0 ? blockers.depth : 0.0;
-    if (blockers.share > 0.0)
-        penumbraTexels = penumbraWidthUv(soft.widthScaleUv, receiver.uvDepth.z, blockers.depth).x / soft.texelSizeUv.x;
-    searched = vec4(window / soft.texelSizeUv, blockers.share, receiver.uvDepth.z);
+    searched = vec4(window / soft.widthScaleUv, blockers.share, receiver.uvDepth.z);
+    if (blockers.share == 0.0) return;
+    blockerDepth = blockers.depth;
+    penumbraWidth = penumbraWidthUv(soft.widthScaleUv, receiver.uvDepth.z, blockers.depth).x / soft.widthScaleUv.x;
 }
