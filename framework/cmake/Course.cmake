@@ -51,9 +51,18 @@ function(course_add_program target)
     target_include_directories(${assignment}.given PRIVATE ${handout}/given)
     target_link_libraries(${assignment}.given PRIVATE penumbra)
   endif()
-  add_executable(${target} ${chosen} $<TARGET_OBJECTS:${assignment}.given>
-                           ${PENUMBRA_FRAMEWORK}/app/main.cpp)
-  target_include_directories(${target} PRIVATE ${handout}/given ${handout})
+  set(objects $<TARGET_OBJECTS:${assignment}.given>)
+  foreach(file IN LISTS chosen)  # compiled once, too: a mistake shares all files but one
+    file(RELATIVE_PATH path ${PROJECT_SOURCE_DIR} ${file})
+    string(MAKE_C_IDENTIFIER ${path} object)
+    if(NOT TARGET ${object})
+      add_library(${object} OBJECT ${file})
+      target_include_directories(${object} PRIVATE ${handout}/given ${handout})
+      target_link_libraries(${object} PRIVATE penumbra)
+    endif()
+    list(APPEND objects $<TARGET_OBJECTS:${object}>)
+  endforeach()
+  add_executable(${target} ${objects} ${PENUMBRA_FRAMEWORK}/app/main.cpp)
   string(REPLACE ";" "|" layers "${ARGN}")
   target_compile_definitions(${target} PRIVATE PENUMBRA_LAYERS="${layers}")
   target_link_libraries(${target} PRIVATE penumbra)
@@ -102,12 +111,11 @@ function(course_add_all_assignments)
   endforeach()
 endfunction()
 
-# <N>.grade from autograder/<N>/checks.cpp, and in a tree with solutions the tests that grade the
-# grader.
+# <N>.grade from autograder/<N>/*.cpp, and in a tree with solutions the tests that grade the grader.
 function(course_add_grader name)
   set(grader ${PROJECT_SOURCE_DIR}/autograder/${name})
-  add_executable(${name}.grade ${PENUMBRA_FRAMEWORK}/../autograder/core/grade_main.cpp
-                               ${grader}/checks.cpp)
+  file(GLOB checks CONFIGURE_DEPENDS ${grader}/*.cpp)
+  add_executable(${name}.grade ${PENUMBRA_FRAMEWORK}/../autograder/core/grade_main.cpp ${checks})
   target_link_libraries(${name}.grade PRIVATE penumbra_autograder)
   target_compile_definitions(${name}.grade PRIVATE PENUMBRA_ROOT="${PROJECT_SOURCE_DIR}"
                                                    PENUMBRA_BUILD="${CMAKE_BINARY_DIR}"
