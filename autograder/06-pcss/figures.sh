@@ -32,6 +32,8 @@ image=penumbra_width mine penumbra-width --scene boxes
 image=blocker_depth mine blocker-depth --scene boxes
 wrong radius-for-width radius-for-width --scene boxes
 wrong linear-depth linear-depth --scene boxes
+mine with-everything --scene boxes
+mine final-pcf --scene stairs $fixed
 mine no-plane --scene stairs $fixed --set receiver_plane=off
 mine too-much-bias --scene stairs $fixed --set receiver_plane=off --set constant_bias=12
 image=visibility mine no-horizon --scene boxes --set horizon=off
