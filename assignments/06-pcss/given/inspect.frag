@@ -16,7 +16,7 @@ void main() {
     vec2 window = searchWindowUv(receiver);
     Blockers blockers = findBlockers(receiver, window);
     searched = vec4(window / soft.widthScaleUv, blockers.share, receiver.uvDepth.z);
-    if (blockers.share == 0.0) return;
     blockerDepth = blockers.depth;
+    if (blockers.share == 0.0) return;
     penumbraWidth = penumbraWidthUv(soft.widthScaleUv, receiver.uvDepth.z, blockers.depth).x / soft.widthScaleUv.x;
 }
