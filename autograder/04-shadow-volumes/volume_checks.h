@@ -25,6 +25,7 @@ using Rows = std::vector<vec4>;
 using SettingList = std::vector<std::string>;
 
 constexpr int kSize = 256;
+constexpr int kCountSize = 192;  // exact crossings are the dearest truth
 
 struct Dice {
     std::mt19937 engine;
@@ -99,7 +100,7 @@ struct CountTolerance {
         "left out";
 };
 void expectCounts(const std::string& scene, const SettingList& settings,
-                  const CountTolerance& tolerance = {}, int size = kSize);
+                  const CountTolerance& tolerance = {}, int size = kCountSize);
 
 // --- Pictures ---
 

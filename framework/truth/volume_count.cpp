@@ -207,10 +207,11 @@ Camera turned(Camera camera, glm::ivec2 size, glm::dvec2 byPixels) {
     return camera;
 }
 
-// Clears pixels that see another plane with another count, or nothing, from a 64th of a pixel
-// beside: a rasteriser snaps edges to fractions of a pixel (1/256 is usual) and may see that one.
+// Clears pixels that see another plane, or nothing, from a 64th of a pixel beside: a rasteriser
+// snaps edges to fractions of a pixel (1/256 is usual) and may see that one, or at a silhouette
+// even the rim of what lies behind it.
 void clearBesideAnother(const Scene& scene, const Camera& camera, const Receivers& receivers,
-                        const VolumesAround& volumes, VolumeCount& result) {
+                        Image& decidable) {
     constexpr double kBeside = 1.0 / 64.0, kSine = 1e-3;  // the sine: above positions' rounding
     const glm::ivec2 size(receivers.width, receivers.height);
     const RayTracer tracer(scene);
@@ -219,16 +220,11 @@ void clearBesideAnother(const Scene& scene, const Camera& camera, const Receiver
         parallelFor(size.y, [&](int y) {
             for (int x = 0; x < size.x; ++x) {
                 const std::size_t i = std::size_t(y) * std::size_t(size.x) + std::size_t(x);
-                float& decidable = result.decidable.pixels[i];
-                if (decidable == 0.0f) continue;
-                const glm::vec3 place = other.positions[i];
-                const glm::dvec3 apart(place - receivers.positions[i]);
+                if (decidable.pixels[i] == 0.0f) continue;
+                const glm::dvec3 apart(other.positions[i] - receivers.positions[i]);
                 const double off = glm::dot(apart, glm::dvec3(receivers.facetNormals[i]));
-                const bool samePlane = other.hit[i] && std::abs(off) <= kSine * glm::length(apart);
-                if (samePlane) continue;
-                if (!other.hit[i] ||
-                    float(volumes.above(place, other.facetNormals[i])) != result.count.pixels[i])
-                    decidable = 0.0f;
+                if (!other.hit[i] || std::abs(off) > kSine * glm::length(apart))
+                    decidable.pixels[i] = 0.0f;
             }
         });
     }
@@ -288,7 +284,7 @@ VolumeCount volumeCount(const Scene& scene, const Camera& camera, const Receiver
             result.decidable.pixels[i] = steady(volumes, around, p, normal, pixels) ? 1.0f : 0.0f;
         }
     });
-    clearBesideAnother(scene, camera, receivers, volumes, result);
+    clearBesideAnother(scene, camera, receivers, result.decidable);
     return result;
 }
 

@@ -55,8 +55,8 @@ struct VolumeCount {
 // `decidable` leaves out
 // - receivers near a volume's side: their count turns when they move by `pixels` pixels within
 //   their facet's plane, or up from it as far;
-// - those within a 64th of a pixel of the background, or of another plane with another count: a
-//   rasteriser, which snaps edges to fractions of a pixel, may see that one.
+// - those within a 64th of a pixel of the background or of another plane: a rasteriser, which snaps
+//   edges to fractions of a pixel, may see that one, or the rim of what lies behind it.
 // Where facets meet in a hollow it leaves out a little too much; a volume thinner than `pixels`,
 // such as that of a leaf with its edge to the light, may slip between the places that are tried.
 VolumeCount volumeCount(const Scene& scene, const Camera& camera, const Receivers& receivers,
