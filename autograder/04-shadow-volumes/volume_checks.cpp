@@ -178,24 +178,26 @@ int differences(const Boundary& mine, const Boundary& truth) {
 namespace {
 
 // Counting is the dearest truth, and several checks ask for the same scene.
-const VolumeCount& countsOf(const std::string& name, int size) {
-    static std::map<std::pair<std::string, int>, VolumeCount> known;
-    const auto found = known.find({name, size});
+const VolumeCount& countsOf(const std::string& name) {
+    static std::map<std::string, VolumeCount> known;
+    const auto found = known.find(name);
     if (found != known.end()) return found->second;
     const Scene scene = loadScene(name);
-    const Receivers receivers = RayTracer(scene).receivers(scene.camera, {size, size});
-    return known[{name, size}] = volumeCount(scene, scene.camera, receivers, scene.lights[0]);
+    const Receivers receivers = RayTracer(scene).receivers(scene.camera, {kCountSize, kCountSize});
+    return known[name] = volumeCount(scene, scene.camera, receivers, scene.lights[0]);
 }
 
 }  // namespace
 
 void expectCounts(const std::string& scene, const SettingList& settings,
-                  const CountTolerance& tolerance, int size) {
+                  const CountTolerance& tolerance) {
     SettingList all{"cull_range=off", "scissor=off"};  // else no count where the light is too far
     all.insert(all.end(), settings.begin(), settings.end());
-    const Rendered frame = render(
-        {.scene = scene, .size = {size, size}, .settings = all, .images = {"stencil_count"}});
-    const VolumeCount& truth = countsOf(scene, size);
+    const Rendered frame = render({.scene = scene,
+                                   .size = {kCountSize, kCountSize},
+                                   .settings = all,
+                                   .images = {"stencil_count"}});
+    const VolumeCount& truth = countsOf(scene);
     const bool isFloat = std::find(all.begin(), all.end(), "counter=float") != all.end();
     Image exact = truth.count;
     for (float& count : exact.pixels)
@@ -213,6 +215,11 @@ void expectCounts(const std::string& scene, const SettingList& settings,
 }
 
 // --- Pictures ---
+
+double shareOfZeros(const Image& image) {
+    return double(std::count(image.pixels.begin(), image.pixels.end(), 0.0f)) /
+           double(image.pixels.size());
+}
 
 namespace {
 
