@@ -73,6 +73,8 @@ Mesh together(Mesh mesh, Mesh other) {
 // Around the light at the origin, or not.
 std::vector<Specimen> specimens() {
     const Mesh aside = box({2, -1, -1}, {4, 1, 1}, 0), around = box({-3, -3, -3}, {3, 3, 3}, 0);
+    Mesh faceTurned = aside;
+    for (std::size_t i : {0, 1}) std::swap(faceTurned.triangles[i].y, faceTurned.triangles[i].z);
     const Mesh sheet = triangleMesh({{2, 0, 0}, {2, 1, 0}, {2, 0, 1}});
     const Mesh ring = torus({0, 0, 0}, 2.0f, 0.4f, 24, 12, 0);
     const vec3 foot(2, -1, 0), top(2, 1, 0);
@@ -80,6 +82,7 @@ std::vector<Specimen> specimens() {
         {"a closed box beside the light", aside, false},
         {"the same inside out", insideOut(aside), true},
         {"a box without a triangle", withoutTriangle(aside, 7), true},
+        {"a box with one face turned round", faceTurned, true},
         {"a sheet", sheet, true},
         {"a sheet and its back", together(sheet, insideOut(sheet)), false},
         {"three sails on one edge",

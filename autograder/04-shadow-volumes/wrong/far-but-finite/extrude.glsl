@@ -1,0 +1,2 @@
+// Fails: Task2Extrude.ALampPushesAwayFromItself, Task2Extrude.HugeAndTinyScenesArePushedAlike, Task2Extrude.TheSunPushesAlongItsRays, Task2Extrude.TwinsLieAtInfinity, Task4ZFail.TheSunNeedsNoFarCap, Task7SeveralLights.EveryLightHasItsOwnShadow, Task7SeveralLights.LightEndsAtItsRangeAndItsPlane, Task8WholeShadow.BothMethodsCountAlike · twins are a thousand times as far away, not at infinity
+vec4 extruded(vec3 p, vec4 light) { return vec4(p + 1000.0 * (light.w * p - light.xyz), 1.0); }

@@ -1,0 +1,29 @@
+// Fails: Task1Silhouette.NearlyInAPlaneTheSignIsExact · the side is a cross product, rounded
+#include "shadow_volumes.h"
+
+namespace penumbra {
+
+std::vector<int> facingTriangles(const Mesh& mesh, glm::vec4 light) {
+    std::vector<int> facing;
+    facing.reserve(mesh.triangles.size());
+    for (const glm::uvec3 t : mesh.triangles) {
+        const auto& p = mesh.positions;
+        const glm::vec3 normal = glm::cross(p[t.y] - p[t.x], p[t.z] - p[t.x]);
+        facing.push_back(glm::dot(normal, glm::vec3(light) - light.w * p[t.x]) > 0 ? 1 : 0);
+    }
+    return facing;
+}
+
+std::vector<int> edgeSums(const MeshEdges& edges, std::span<const int> weights) {
+    std::vector<int> sums;
+    sums.reserve(edges.edges.size());
+    for (const MeshEdge& edge : edges.edges) {
+        int sum = 0;
+        for (const EdgeSide side : edges.sidesOf(edge))
+            sum += side.direction * weights[side.triangle];
+        sums.push_back(sum);
+    }
+    return sums;
+}
+
+}  // namespace penumbra
