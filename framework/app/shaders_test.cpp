@@ -63,7 +63,7 @@ std::string validate(const ShaderSource& source, const std::string& extension) {
 TEST(Shaders, AreStrictGlsl410InEveryVariant) {
     if (std::system("glslangValidator --version > /dev/null 2>&1") != 0)
         GTEST_SKIP() << "glslangValidator is not installed (package glslang-tools)";
-    int checked = 0;
+    std::set<std::string> checked;  // a mistake shares most of its text with the solution
     for (const Variant& variant : variants()) {
         const Layers layers = shaderLayers(variant.folders);
         std::set<std::string> entryPoints;
@@ -72,12 +72,13 @@ TEST(Shaders, AreStrictGlsl410InEveryVariant) {
                 if (entry.path().extension() == ".vert" || entry.path().extension() == ".frag")
                     entryPoints.insert(entry.path().filename().string());
         for (const std::string& name : entryPoints) {
-            EXPECT_EQ(validate(loadShader(layers, name), name.substr(name.size() - 4)), "")
-                << variant.name << ": " << name;
-            ++checked;
+            const ShaderSource source = loadShader(layers, name);
+            const std::string extension = name.substr(name.size() - 4);
+            if (!checked.insert(extension + source.text).second) continue;
+            EXPECT_EQ(validate(source, extension), "") << variant.name << ": " << name;
         }
     }
-    EXPECT_GT(checked, 10);
+    EXPECT_GT(checked.size(), 10u);
 }
 
 }  // namespace

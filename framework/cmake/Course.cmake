@@ -142,7 +142,7 @@ function(course_add_grader name)
 endfunction()
 
 function(course_add_all_graders)
-  file(GLOB graders CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/autograder/*/checks.cpp)
+  file(GLOB graders CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/autograder/*/rubric.json)
   foreach(grader IN LISTS graders)
     get_filename_component(folder ${grader} DIRECTORY)
     get_filename_component(name ${folder} NAME)
