@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "planar_shadow.h"
 #include "receiver.h"
+#include "render/matrix_image.h"
 #include "render/passes.h"
 #include "scene/gallery.h"
 #include "texture_view.h"
@@ -28,14 +29,6 @@ static_assert(offsetof(PlanarBlock, textureClipFromWorld) == 64 &&
               offsetof(PlanarBlock, plane) == 128 &&
               offsetof(PlanarBlock, shadowVisibility) == 144 &&
               offsetof(PlanarBlock, divide) == 156);
-
-// Row by row: at(column, row).
-Image matrixImage(const glm::mat4& m) {
-    Image image(4, 4, 1);
-    for (int row = 0; row < 4; ++row)
-        for (int column = 0; column < 4; ++column) image.at(column, row) = m[column][row];
-    return image;
-}
 
 // A student's states may hold anything; GL would only say "invalid enumerant".
 void check(const DrawState& state, const std::string& function) {

@@ -7,6 +7,7 @@
 #include "app/assignment.h"
 #include "core/error.h"
 #include "count_colors.h"
+#include "render/matrix_image.h"
 #include "scene/gallery.h"
 #include "value_rows.h"
 #include "volume_pass.h"
@@ -26,13 +27,6 @@ glm::mat4 checkedProjection(const Camera& camera, glm::ivec2 size) {
                 throw Error("infiniteProjection() is not finite", "projection.cpp",
                             "look for a division by zero");
     return m;
-}
-
-Image matrixImage(const glm::mat4& m) {
-    Image image(4, 4, 1);
-    for (int row = 0; row < 4; ++row)
-        for (int column = 0; column < 4; ++column) image.at(column, row) = m[column][row];
-    return image;
 }
 
 class ShadowVolumes final : public Assignment {

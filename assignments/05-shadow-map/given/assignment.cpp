@@ -4,6 +4,7 @@
 
 #include "app/assignment.h"
 #include "light_view.h"
+#include "render/matrix_image.h"
 #include "render/passes.h"
 #include "scene/gallery.h"
 #include "shadow_map.h"
@@ -34,13 +35,6 @@ struct DepthFormat {
 constexpr DepthFormat kDepthFormats[] = {{GL_DEPTH_COMPONENT16, 1.0f / 65535.0f},
                                          {GL_DEPTH_COMPONENT24, 1.0f / 16777215.0f},
                                          {GL_DEPTH_COMPONENT32F, 0.0f}};
-
-Image matrixImage(const glm::mat4& m) {
-    Image image(4, 4, 1);
-    for (int row = 0; row < 4; ++row)
-        for (int column = 0; column < 4; ++column) image.at(column, row) = m[column][row];
-    return image;
-}
 
 class ShadowMap final : public Assignment {
 public:

@@ -12,6 +12,7 @@
 #include "app/assignment.h"
 #include "min_depth.h"
 #include "render/light_frustum.h"
+#include "render/matrix_image.h"
 #include "render/passes.h"
 #include "scene/gallery.h"
 #include "soft_shadow.h"

@@ -43,11 +43,4 @@ GLuint mapSampler() {
     return sampler;
 }
 
-Image matrixImage(const glm::mat4& m) {
-    Image image(4, 4, 1);
-    for (int row = 0; row < 4; ++row)
-        for (int column = 0; column < 4; ++column) image.at(column, row) = m[column][row];
-    return image;
-}
-
 }  // namespace penumbra

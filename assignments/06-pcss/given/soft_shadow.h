@@ -33,6 +33,4 @@ std::vector<std::string> chunksFor(const Settings& settings);
 // Nearest texel; depth 1 beyond the map's border: nothing blocks there.
 GLuint mapSampler();
 
-Image matrixImage(const glm::mat4& m);
-
 }  // namespace penumbra
