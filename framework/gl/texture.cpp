@@ -1,6 +1,7 @@
 #include "gl/texture.h"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 #include "core/error.h"
@@ -25,11 +26,19 @@ Transfer transferOf(GLenum internal) {
             return {GL_DEPTH_STENCIL, 1, GL_UNSIGNED_INT_24_8};
         case GL_DEPTH32F_STENCIL8:
             return {GL_DEPTH_STENCIL, 1, GL_FLOAT_32_UNSIGNED_INT_24_8_REV};
+        case GL_R32UI:
+            return {GL_RED_INTEGER, 1, GL_UNSIGNED_INT};
+        case GL_RG32UI:
+            return {GL_RG_INTEGER, 2, GL_UNSIGNED_INT};
+        case GL_RGBA32UI:
+            return {GL_RGBA_INTEGER, 4, GL_UNSIGNED_INT};
         case GL_R8:
+        case GL_R16:
         case GL_R16F:
         case GL_R32F:
             return {GL_RED, 1};
         case GL_RG8:
+        case GL_RG16:
         case GL_RG16F:
         case GL_RG32F:
             return {GL_RG, 2};
@@ -50,6 +59,11 @@ void flipRows(Image& image) {
                          image.pixels.begin() + (image.height - 1 - y) * stride);
 }
 
+std::size_t texelValues(const Texture& texture) {
+    return std::size_t(texture.size().x) * std::size_t(texture.size().y) *
+           std::size_t(texture.channels());
+}
+
 }  // namespace
 
 Texture::Texture(const TextureDescription& description) : description_(description) {
@@ -63,10 +77,15 @@ Texture::Texture(const TextureDescription& description) : description_(descripti
     glGenTextures(1, &id_);
     glBindTexture(GL_TEXTURE_2D, id_);
     const Transfer transfer = transferOf(description.format);
-    glTexImage2D(GL_TEXTURE_2D, 0, GLint(description.format), width, height, 0, transfer.format,
-                 transfer.type, nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GLint(description.filter));
+    const int levels = description.mipmaps ? std::bit_width(unsigned(std::max(width, height))) : 1;
+    for (int level = 0; level < levels; ++level)
+        glTexImage2D(GL_TEXTURE_2D, level, GLint(description.format), std::max(1, width >> level),
+                     std::max(1, height >> level), 0, transfer.format, transfer.type, nullptr);
+    const GLenum between = description.filter == GL_LINEAR ? GLenum(GL_LINEAR_MIPMAP_LINEAR)
+                                                           : GLenum(GL_NEAREST_MIPMAP_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, levels - 1);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
+                    GLint(description.mipmaps ? between : description.filter));
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GLint(description.filter));
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GLint(description.wrap));
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GLint(description.wrap));
@@ -97,16 +116,60 @@ bool Texture::hasStencil() const {
     return transferOf(description_.format).format == GL_DEPTH_STENCIL;
 }
 
-void Texture::upload(const Image& image) {
-    const Transfer transfer = transferOf(description_.format);
-    EXPECTS(image.width == size().x && image.height == size().y &&
-            image.channels == transfer.channels && !hasStencil());
-    Image flipped = image;
-    flipRows(flipped);
+bool Texture::holdsIntegers() const {
+    return transferOf(description_.format).type == GL_UNSIGNED_INT;
+}
+
+int Texture::channels() const { return transferOf(description_.format).channels; }
+
+void Texture::generateMipmaps() {
+    EXPECTS(description_.mipmaps);
+    glBindTexture(GL_TEXTURE_2D, id_);
+    glGenerateMipmap(GL_TEXTURE_2D);
+}
+
+void Texture::uploadTexels(std::span<const float> texels) {
+    EXPECTS(texels.size() == texelValues(*this) && !holdsIntegers() && !hasStencil());
     glBindTexture(GL_TEXTURE_2D, id_);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size().x, size().y, transfer.format, GL_FLOAT,
-                    flipped.pixels.data());
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size().x, size().y,
+                    transferOf(description_.format).format, GL_FLOAT, texels.data());
+}
+
+void Texture::uploadTexels(std::span<const std::uint32_t> texels) {
+    EXPECTS(texels.size() == texelValues(*this) && holdsIntegers());
+    glBindTexture(GL_TEXTURE_2D, id_);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size().x, size().y,
+                    transferOf(description_.format).format, GL_UNSIGNED_INT, texels.data());
+}
+
+std::vector<float> Texture::readTexels() const {
+    EXPECTS(id_ != 0 && !holdsIntegers());
+    std::vector<float> texels(texelValues(*this));
+    glBindTexture(GL_TEXTURE_2D, id_);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    const GLenum format =
+        hasStencil() ? GLenum(GL_DEPTH_COMPONENT) : transferOf(description_.format).format;
+    glGetTexImage(GL_TEXTURE_2D, 0, format, GL_FLOAT, texels.data());
+    return texels;
+}
+
+std::vector<std::uint32_t> Texture::readIntegers() const {
+    EXPECTS(id_ != 0 && holdsIntegers());
+    std::vector<std::uint32_t> texels(texelValues(*this));
+    glBindTexture(GL_TEXTURE_2D, id_);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glGetTexImage(GL_TEXTURE_2D, 0, transferOf(description_.format).format, GL_UNSIGNED_INT,
+                  texels.data());
+    return texels;
+}
+
+void Texture::upload(const Image& image) {
+    EXPECTS(image.width == size().x && image.height == size().y && image.channels == channels());
+    Image flipped = image;
+    flipRows(flipped);
+    uploadTexels(std::span<const float>(flipped.pixels));
 }
 
 void Texture::uploadBytes(const unsigned char* rgba) {
@@ -116,13 +179,8 @@ void Texture::uploadBytes(const unsigned char* rgba) {
 }
 
 Image Texture::read() const {
-    EXPECTS(id_ != 0);
-    const Transfer transfer = transferOf(description_.format);
-    Image image(size().x, size().y, transfer.channels);
-    glBindTexture(GL_TEXTURE_2D, id_);
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    const GLenum format = hasStencil() ? GLenum(GL_DEPTH_COMPONENT) : transfer.format;
-    glGetTexImage(GL_TEXTURE_2D, 0, format, GL_FLOAT, image.pixels.data());
+    Image image(size().x, size().y, channels());
+    image.pixels = readTexels();
     flipRows(image);
     return image;
 }

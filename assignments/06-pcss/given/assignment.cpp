@@ -6,12 +6,10 @@
 //   shadow     one triangle over the picture: visibility of each pixel's receiver
 //
 // Surfaces come before shadow so that softVisibility() runs once a pixel, whatever lies over what.
-#include <algorithm>
-#include <cstddef>
-
 #include "app/assignment.h"
 #include "min_depth.h"
-#include "render/light_frustum.h"
+#include "render/area_shadow_map.h"
+#include "render/deferred.h"
 #include "render/matrix_image.h"
 #include "render/passes.h"
 #include "scene/gallery.h"
@@ -21,46 +19,9 @@ namespace penumbra {
 
 namespace {
 
-struct ShadowMap {
-    explicit ShadowMap(int size)
-        : depth({.size = glm::ivec2(size), .format = GL_DEPTH_COMPONENT32F, .label = "shadow map"}),
-          framebuffer({.depth = &depth}) {}
-    Texture depth;
-    Framebuffer framebuffer;
-};
-
 Texture target(glm::ivec2 size, GLenum format, const char* label) {
     return Texture({.size = size, .format = format, .label = label});
 }
-
-// One value a receiver: where it lies in the light's map, and what it is lit by.
-struct Surfaces {
-    explicit Surfaces(glm::ivec2 imageSize)
-        : unlit(target(imageSize, GL_RGBA16F, "unlit color")),
-          direct(target(imageSize, GL_RGBA16F, "direct color")),
-          position(target(imageSize, GL_RGBA32F, "receiver position")),
-          height(target(imageSize, GL_RGBA32F, "receiver plane")),
-          depth(target(imageSize, GL_DEPTH_COMPONENT32F, "camera depth")),
-          framebuffer({.colors = {&unlit, &direct, &position, &height}, .depth = &depth}) {}
-
-    void clear() const {
-        framebuffer.clear(glm::vec4(0), 1.0f);
-        framebuffer.clearColor(0, kBackground);
-        framebuffer.clearColor(2, {0, 0, 0, -1});  // receiver.glsl: no surface
-    }
-
-    Texture unlit, direct, position, height, depth;
-    Framebuffer framebuffer;
-};
-
-struct Picture {
-    explicit Picture(glm::ivec2 size)
-        : color(target(size, GL_RGBA16F, "color")),
-          visibility(target(size, GL_R32F, "visibility")),
-          framebuffer({.colors = {&color, &visibility}}) {}
-    Texture color, visibility;
-    Framebuffer framebuffer;
-};
 
 struct Inspection {
     explicit Inspection(glm::ivec2 size)
@@ -82,32 +43,25 @@ public:
     }
     void render(const View& view, Frame& frame) override;
 
-    ~Pcss() override {
-        if (sampler_) glDeleteSamplers(1, &sampler_);
-        if (emptyVertexArray_) glDeleteVertexArrays(1, &emptyVertexArray_);
-    }
-
 private:
     struct Gl {  // made when a context is current
         UniformBuffer<CameraBlock> camera;
         UniformBuffer<LightBlock> light;
-        UniformBuffer<SoftShadowBlock> map;
+        UniformBuffer<SoftShadowBlock> dials;
+        ScreenTriangle screen;
     };
 
     void prepare(const View& view);
     void bindBlocks(const Program& program) const;
-    void lightPass(const View& view);
     void surfacePass(const View& view);
     void screenPass(const Program& program, const Framebuffer& framebuffer) const;
 
     std::unique_ptr<Gl> gl_;
-    std::unique_ptr<ShadowMap> map_;
-    std::unique_ptr<Surfaces> surfaces_;
-    std::unique_ptr<Picture> picture_;
+    std::unique_ptr<AreaShadowMap> map_;
+    std::unique_ptr<ReceiverImages> receivers_;
+    std::unique_ptr<ShadedImages> shaded_;
     std::unique_ptr<Inspection> inspection_;
     MinDepth minDepth_;
-    SoftShadowBlock block_{};
-    GLuint sampler_ = 0, emptyVertexArray_ = 0;
 };
 
 void Pcss::settings(Settings& s) {
@@ -162,22 +116,19 @@ void Pcss::settings(Settings& s) {
 }
 
 void Pcss::prepare(const View& view) {
-    if (!gl_) {
-        gl_ = std::make_unique<Gl>();
-        glGenVertexArrays(1, &emptyVertexArray_);
-        sampler_ = mapSampler();
-    }
+    if (!gl_) gl_ = std::make_unique<Gl>();
     const int size = 256 << view.settings.index("map_size");
-    if (!map_ || map_->depth.size().x != size) map_ = std::make_unique<ShadowMap>(size);
-    if (!surfaces_ || surfaces_->depth.size() != view.size) {
-        surfaces_ = std::make_unique<Surfaces>(view.size);
-        picture_ = std::make_unique<Picture>(view.size);
+    if (!map_ || map_->size() != size) map_ = std::make_unique<AreaShadowMap>(size);
+    if (!receivers_ || receivers_->depth.size() != view.size) {
+        receivers_ = std::make_unique<ReceiverImages>(view.size);
+        shaded_ = std::make_unique<ShadedImages>(view.size);
         inspection_.reset();
     }
-    block_ = softShadowBlock(view, areaLightFrustum(view), size);
+    map_->fit(view, view.settings["constant_bias"]);
+    SoftShadowBlock dials = softShadowBlock(view.settings, size);
     if (view.settings.on("pyramid"))
-        block_.minTexelUv = minDepth_.prepare(size, block_.widthScaleUv);
-    gl_->map.upload(block_);
+        dials.minTexelUv = minDepth_.prepare(size, map_->values().widthScaleUv);
+    gl_->dials.upload(dials);
     gl_->camera.upload(cameraBlock(view.camera, view.size));
     gl_->light.upload(lightBlock(view.light));
 }
@@ -185,41 +136,23 @@ void Pcss::prepare(const View& view) {
 void Pcss::bindBlocks(const Program& program) const {
     gl_->camera.bind(program, "Camera", 0);
     gl_->light.bind(program, "Light", 1);
-    gl_->map.bind(program, "SoftShadow", 2);
-}
-
-void Pcss::lightPass(const View& view) {
-    const Program& opaque = view.shaders.program("light_pass.vert", "depth.frag");
-    const Program& masked = view.shaders.program("light_pass.vert", "depth_masked.frag");
-    bindBlocks(opaque);
-    bindBlocks(masked);
-    beginOpaquePass();
-    map_->framebuffer.clear(glm::vec4(0), 1.0f);
-    view.gpuScene.drawDepth(opaque, masked);
+    map_->bindBlock(program);
+    gl_->dials.bind(program, "SoftShadow", 3);
 }
 
 void Pcss::surfacePass(const View& view) {
-    const Program& program = view.shaders.program("lit_surface.vert", "surface_pass.frag");
+    const Program& program = view.shaders.program("receivers.vert", "receivers.frag");
     bindBlocks(program);
-    beginOpaquePass();
-    surfaces_->clear();
-    view.gpuScene.draw(program);
+    receivers_->render(view, program);
 }
 
 void Pcss::screenPass(const Program& program, const Framebuffer& framebuffer) const {
     bindBlocks(program);
-    program.use();
-    program.texture("shadowMap", 0, map_->depth);
-    program.texture("receiverPosition", 1, surfaces_->position);
-    program.texture("receiverPlaneAt", 2, surfaces_->height);
-    program.texture("unlitColor", 3, surfaces_->unlit);
-    program.texture("directColor", 4, surfaces_->direct);
+    map_->bind(program, 0);
+    receivers_->bind(program, 1);
     if (minDepth_.image()) program.texture("minDepth", 5, *minDepth_.image());
-    glBindSampler(0, sampler_);
-    framebuffer.bind();
-    glBindVertexArray(emptyVertexArray_);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    glBindSampler(0, 0);
+    gl_->screen.draw(program, framebuffer);
+    map_->release(0);
 }
 
 void Pcss::render(const View& view, Frame& frame) {
@@ -228,22 +161,16 @@ void Pcss::render(const View& view, Frame& frame) {
         auto timing = frame.time(name);
         pass();
     };
-    timed("light", [&] { lightPass(view); });
-    // From here on every pass covers its target: nothing is tested, nothing is mixed.
+    timed("light", [&] { map_->render(view); });
     const bool pyramid = view.settings.on("pyramid");
     if (pyramid)
-        timed("min", [&] {
-            glDisable(GL_DEPTH_TEST);
-            glBindVertexArray(emptyVertexArray_);
-            minDepth_.render(view.shaders, map_->depth, gl_->map);
-        });
+        timed("min", [&] { minDepth_.render(view.shaders, *map_, gl_->screen, gl_->dials); });
     timed("surfaces", [&] { surfacePass(view); });
-    glDisable(GL_DEPTH_TEST);
     const std::vector<std::string> chunks = chunksFor(view.settings);
     if (frame.wants("color") || frame.wants("visibility"))
         timed("shadow", [&] {
             screenPass(view.shaders.program("screen.vert", "shadow_pass.frag", chunks),
-                       picture_->framebuffer);
+                       shaded_->framebuffer);
         });
     if (frame.wants("blocker_depth") || frame.wants("penumbra_width") || frame.wants("search")) {
         if (!inspection_) inspection_ = std::make_unique<Inspection>(view.size);
@@ -253,14 +180,14 @@ void Pcss::render(const View& view, Frame& frame) {
         frame.output("penumbra_width", inspection_->penumbraWidth);
         frame.output("search", inspection_->search);
     }
-    frame.output("color", picture_->color);
-    frame.output("visibility", picture_->visibility);
-    frame.output("depth", surfaces_->depth);
-    frame.output("shadow_map", map_->depth);
-    frame.output("receiver", surfaces_->position);
-    frame.output("light_height", surfaces_->height);
+    frame.output("color", shaded_->color);
+    frame.output("visibility", shaded_->visibility);
+    frame.output("depth", receivers_->depth);
+    frame.output("shadow_map", map_->depth());
+    frame.output("receiver", receivers_->position);
+    frame.output("light_height", receivers_->lightHeight);
     if (frame.wants("min_depth") && pyramid) frame.output("min_depth", *minDepth_.image());
-    frame.output("light_clip_from_world", matrixImage(block_.clipFromWorld));
+    frame.output("light_clip_from_world", matrixImage(map_->values().clipFromWorld));
 }
 
 }  // namespace

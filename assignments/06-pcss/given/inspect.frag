@@ -9,14 +9,14 @@ layout(location = 1) out float penumbraWidth;  // 0 where nothing blocks
 layout(location = 2) out vec4 searched;        // width of the search window along u and v, share of blockers, receiver's depth
 
 void main() {
-    float kind;
-    Receiver receiver = receiverAt(ivec2(gl_FragCoord.xy), kind);
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
     blockerDepth = 0.0, penumbraWidth = 0.0, searched = vec4(0.0);
-    if (kind <= 0.0) return;
+    if (texelFetch(receiverPosition, pixel, 0).w <= 0.0) return;
+    Receiver receiver = receiverAt(pixel);
     vec2 window = searchWindowUv(receiver);
     Blockers blockers = findBlockers(receiver, window);
-    searched = vec4(window / soft.widthScaleUv, blockers.share, receiver.uvDepth.z);
+    searched = vec4(window / map.widthScaleUv, blockers.share, receiver.uvDepth.z);
     blockerDepth = blockers.depth;
     if (blockers.share == 0.0) return;
-    penumbraWidth = penumbraWidthUv(soft.widthScaleUv, receiver.uvDepth.z, blockers.depth).x / soft.widthScaleUv.x;
+    penumbraWidth = penumbraWidthUv(map.widthScaleUv, receiver.uvDepth.z, blockers.depth).x / map.widthScaleUv.x;
 }

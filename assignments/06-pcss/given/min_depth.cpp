@@ -19,20 +19,21 @@ float MinDepth::prepare(int mapSize, glm::vec2 widestWindowUv) {
     return float(1 << halvings) / float(mapSize);
 }
 
-void MinDepth::render(ShaderLibrary& shaders, const Texture& map,
+void MinDepth::render(ShaderLibrary& shaders, const AreaShadowMap& map,
+                      const ScreenTriangle& screen,
                       const UniformBuffer<SoftShadowBlock>& block) const {
     const Program& reduce = shaders.program("screen.vert", "min_reduce.frag");
     const Program& widen = shaders.program("screen.vert", "min_widen.frag");
-    block.bind(widen, "SoftShadow", 2);
-    const Texture* source = &map;
+    map.bindBlock(widen);
+    block.bind(widen, "SoftShadow", 3);
+    const Texture* source = &map.depth();
     for (std::size_t i = 0; i < levels_.size(); ++i) {
         const bool halves = int(i) < halvings_;
         const Program& program = halves ? reduce : widen;
         program.use();
         program.texture(halves ? "finer" : "narrow", 0, *source);
         if (!halves) program.set("axis", int(i) == halvings_ ? glm::vec2(1, 0) : glm::vec2(0, 1));
-        levels_[i].framebuffer.bind();
-        glDrawArrays(GL_TRIANGLES, 0, 3);
+        screen.draw(program, levels_[i].framebuffer);
         source = &levels_[i].texture;
     }
 }

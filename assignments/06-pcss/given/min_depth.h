@@ -1,7 +1,7 @@
 // The smallest depth around each place in the shadow map.
 //
 //   float texel = minDepth.prepare(512, widthScaleUv);
-//   minDepth.render(shaders, map, block);
+//   minDepth.render(shaders, map, screen, block);
 //   program.texture("minDepth", 5, *minDepth.image());
 //
 // The map is halved until a texel is about a quarter of the widest search window; then each texel
@@ -12,7 +12,8 @@
 #include <vector>
 
 #include "gl/framebuffer.h"
-#include "render/uniforms.h"
+#include "render/area_shadow_map.h"
+#include "render/deferred.h"
 #include "soft_shadow.h"
 
 namespace penumbra {
@@ -21,8 +22,7 @@ class MinDepth {
 public:
     // Returns the width of a texel of the image [uv].
     float prepare(int mapSize, glm::vec2 widestWindowUv);
-    // A vertex array is bound, the depth test off.
-    void render(ShaderLibrary& shaders, const Texture& map,
+    void render(ShaderLibrary& shaders, const AreaShadowMap& map, const ScreenTriangle& screen,
                 const UniformBuffer<SoftShadowBlock>& block) const;
     // Null before the first prepare().
     const Texture* image() const { return levels_.empty() ? nullptr : &levels_.back().texture; }

@@ -7,7 +7,7 @@ uniform vec2 axis;
 layout(location = 0) out float nearest;
 
 void main() {
-    int radius = windowRadiusTexels(dot(axis, soft.widthScaleUv), soft.minTexelUv);
+    int radius = windowRadiusTexels(dot(axis, map.widthScaleUv), soft.minTexelUv);
     ivec2 here = ivec2(gl_FragCoord.xy), last = textureSize(narrow, 0) - 1;
     nearest = 1.0;
     for (int i = -radius; i <= radius; ++i)

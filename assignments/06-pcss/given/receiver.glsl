@@ -1,17 +1,13 @@
-// What the surface pass has left of the receiver in this pixel.
+// The receiver in this pixel, as your functions take it.
+#include "receivers.glsl"
 #include "soft_shadow.glsl"
 #include "receiver_plane.glsl"
 
-uniform sampler2D receiverPosition;  // u, v, depth; w: 1 a surface before the light, 0 one in the dark, -1 none
-uniform sampler2D receiverPlaneAt;   // lightHeight
-
-Receiver receiverAt(ivec2 pixel, out float kind) {
-    vec4 position = texelFetch(receiverPosition, pixel, 0);
+Receiver receiverAt(ivec2 pixel) {
     Receiver receiver;
-    receiver.uvDepth = position.xyz;
-    receiver.lightHeight = texelFetch(receiverPlaneAt, pixel, 0).xyz;
-    receiver.plane = receiverPlane(receiver.lightHeight, soft.widthScaleUv);
-    receiver.bias = soft.biasAtZero + soft.biasSlope * position.z;
-    kind = position.w;
+    receiver.uvDepth = texelFetch(receiverPosition, pixel, 0).xyz;
+    receiver.lightHeight = texelFetch(receiverLightHeight, pixel, 0).xyz;
+    receiver.plane = receiverPlane(receiver.lightHeight, map.widthScaleUv);
+    receiver.bias = constantBias(receiver.uvDepth.z);
     return receiver;
 }

@@ -1,11 +1,8 @@
-// What the light's map knows, and your dials. Twin: SoftShadowBlock in assignment.cpp.
+// What the light's map knows, and your dials. Twin: SoftShadowBlock in soft_shadow.h.
+#include "shadow_map.glsl"
+
 layout(std140) uniform SoftShadow {
-    mat4 clipFromWorld;     // light clip space
-    vec2 texelSizeUv;       // 1 / map size
-    vec2 widthScaleUv;      // S: how wide the light is, seen through a depth difference of 1 [uv]
     vec2 filterWidthUv;     // of plain PCF, where no blocker is searched                    [uv]
-    float biasAtZero;       // constant bias [depth]: biasAtZero + biasSlope * depth, so many
-    float biasSlope;        // texels in the world at any distance
     int searchSamples;      // along each side of the blocker search
     int filterSamples;      // along each side of the filter
     float minTexelUv;       // of minDepth
@@ -19,13 +16,7 @@ struct Receiver {
     float bias;        // constant bias here [depth]
 };
 
-uniform sampler2D shadowMap;  // depth [0,1], nearest texel; 1 beyond the border
 uniform sampler2D minDepth;   // the smallest of shadowMap's depths in the widest search window
-
-// Depth of the texel that holds uv.
-float storedDepth(vec2 uv) { return textureLod(shadowMap, uv, 0.0).r; }
-
-vec2 texelCenter(vec2 uv) { return (floor(uv / soft.texelSizeUv) + 0.5) * soft.texelSizeUv; }
 
 // Chunks behind these signatures are linked in, as the settings say.
 bool blocks(Receiver receiver, vec2 uv, float depth);    // receiver_plane: does the texel at uv, of that depth, block?

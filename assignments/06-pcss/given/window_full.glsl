@@ -2,4 +2,4 @@
 #include "soft_shadow.glsl"
 #include "penumbra.glsl"
 
-vec2 searchWindowUv(Receiver receiver) { return searchWidthUv(soft.widthScaleUv, receiver.uvDepth.z); }
+vec2 searchWindowUv(Receiver receiver) { return searchWidthUv(map.widthScaleUv, receiver.uvDepth.z); }

@@ -4,7 +4,7 @@
 #include "min_pyramid.glsl"
 
 vec2 searchWindowUv(Receiver receiver) {
-    vec2 full = searchWidthUv(soft.widthScaleUv, receiver.uvDepth.z);
+    vec2 full = searchWidthUv(map.widthScaleUv, receiver.uvDepth.z);
     float nearest = textureLod(minDepth, receiver.uvDepth.xy, 0.0).r;
-    return narrowedWidthUv(full, soft.widthScaleUv, receiver.uvDepth.z, nearest);
+    return narrowedWidthUv(full, map.widthScaleUv, receiver.uvDepth.z, nearest);
 }

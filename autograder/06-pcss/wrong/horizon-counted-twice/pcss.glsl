@@ -13,5 +13,5 @@ float pcssVisibility(Receiver receiver) {
     if (blockers.share == 1.0) return 0.0;
     float depth = blockers.share > 0.0 ? blockers.depth : receiver.uvDepth.z;
     float centre = clamp(0.5 + receiver.lightHeight.x / dot(abs(receiver.lightHeight.yz), vec2(1.0)), 0.0, 1.0);
-    return centre * percentageCloser(receiver, max(penumbraWidthUv(soft.widthScaleUv, receiver.uvDepth.z, depth), soft.texelSizeUv));
+    return centre * percentageCloser(receiver, max(penumbraWidthUv(map.widthScaleUv, receiver.uvDepth.z, depth), map.texelSizeUv));
 }

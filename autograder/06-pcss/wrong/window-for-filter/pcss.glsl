@@ -12,5 +12,5 @@ float pcssVisibility(Receiver receiver) {
     if (blockers.share == 0.0 && wholeLight) return 1.0;
     if (blockers.share == 1.0) return 0.0;
     float depth = blockers.share > 0.0 ? blockers.depth : receiver.uvDepth.z;
-    return percentageCloser(receiver, max(window, soft.texelSizeUv));
+    return percentageCloser(receiver, max(window, map.texelSizeUv));
 }

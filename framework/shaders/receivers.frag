@@ -1,7 +1,7 @@
 // What the camera sees, before any shadow: its light, and its place in the light's map.
 #include "camera.glsl"
 #include "shading.glsl"
-#include "soft_shadow.glsl"
+#include "shadow_map.glsl"
 
 in vec3 worldPosition;
 in vec3 vertexNormal;
@@ -9,7 +9,7 @@ in vec2 surfaceUv;
 in vec4 lightClip;
 layout(location = 0) out vec4 unlit;     // ambient and emitted light: no shadow touches it
 layout(location = 1) out vec4 direct;    // the light's own, to be multiplied by visibility
-layout(location = 2) out vec4 position;  // see receiver.glsl
+layout(location = 2) out vec4 position;  // see receivers.glsl
 layout(location = 3) out vec4 height;
 
 void main() {

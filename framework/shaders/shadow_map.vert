@@ -1,5 +1,5 @@
 // The scene from the light.
-#include "soft_shadow.glsl"
+#include "shadow_map.glsl"
 
 layout(location = 0) in vec3 position;
 layout(location = 2) in vec2 uv;
@@ -7,5 +7,5 @@ out vec2 surfaceUv;
 
 void main() {
     surfaceUv = uv;
-    gl_Position = soft.clipFromWorld * vec4(position, 1.0);
+    gl_Position = map.clipFromWorld * vec4(position, 1.0);
 }

@@ -1,6 +1,6 @@
 // A surface as the camera sees it, with its place in the light's view.
 #include "camera.glsl"
-#include "soft_shadow.glsl"
+#include "shadow_map.glsl"
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -14,6 +14,6 @@ void main() {
     worldPosition = position;
     vertexNormal = normal;
     surfaceUv = uv;
-    lightClip = soft.clipFromWorld * vec4(position, 1.0);
+    lightClip = map.clipFromWorld * vec4(position, 1.0);
     gl_Position = camera.clipFromWorld * vec4(position, 1.0);
 }
