@@ -44,13 +44,17 @@ ShadedImages::ShadedImages(glm::ivec2 size)
 ScreenTriangle::ScreenTriangle() { glGenVertexArrays(1, &vertexArray_); }
 ScreenTriangle::~ScreenTriangle() { glDeleteVertexArrays(1, &vertexArray_); }
 
-void ScreenTriangle::draw(const Program& program, const Framebuffer& target) const {
+void ScreenTriangle::draw(const Program& program, const Framebuffer& target, Mix mix) const {
     glDisable(GL_DEPTH_TEST);
-    glDisable(GL_BLEND);
+    if (mix == Mix::add) {
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_ONE, GL_ONE);
+    }
     program.use();
     target.bind();
     glBindVertexArray(vertexArray_);
     glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDisable(GL_BLEND);
 }
 
 }  // namespace penumbra

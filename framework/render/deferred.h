@@ -30,7 +30,9 @@ struct ShadedImages {
     Framebuffer framebuffer;
 };
 
-// One triangle over the whole target: every pixel of it is written, nothing is tested or mixed.
+enum class Mix { replace, add };  // a pixel takes the new value, or adds it to the old one
+
+// One triangle over the whole target: every pixel of it is written, nothing is tested.
 class ScreenTriangle {
 public:
     ScreenTriangle();
@@ -38,7 +40,7 @@ public:
     ScreenTriangle(const ScreenTriangle&) = delete;
     ScreenTriangle& operator=(const ScreenTriangle&) = delete;
     // `program`'s blocks, textures and uniforms are set.
-    void draw(const Program& program, const Framebuffer& target) const;
+    void draw(const Program& program, const Framebuffer& target, Mix mix = Mix::replace) const;
 
 private:
     GLuint vertexArray_ = 0;
