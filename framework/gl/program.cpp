@@ -58,6 +58,12 @@ GLuint link(const std::string& vertexName, const ShaderSource& vertex,
     return std::exchange(linked.id, 0);
 }
 
+void bindToUnit(int unit, GLenum target, GLuint texture) {
+    glActiveTexture(GL_TEXTURE0 + GLenum(unit));
+    glBindTexture(target, texture);
+    glActiveTexture(GL_TEXTURE0);
+}
+
 }  // namespace
 
 Program::~Program() {
@@ -89,9 +95,12 @@ void Program::texture(const char* sampler, int unit, const Texture& texture) con
 
 void Program::textureId(const char* sampler, int unit, GLuint id) const {
     set(sampler, unit);
-    glActiveTexture(GL_TEXTURE0 + GLenum(unit));
-    glBindTexture(GL_TEXTURE_2D, id);
-    glActiveTexture(GL_TEXTURE0);
+    bindToUnit(unit, GL_TEXTURE_2D, id);
+}
+
+void Program::texture(const char* sampler, int unit, const VolumeTexture& texture) const {
+    set(sampler, unit);
+    bindToUnit(unit, GL_TEXTURE_3D, texture.id());
 }
 
 void Program::block(const char* name, int binding) const {

@@ -23,6 +23,7 @@
 #include "core/error.h"
 #include "core/layers.h"
 #include "gl/texture.h"
+#include "gl/volume_texture.h"
 
 namespace penumbra {
 
@@ -69,6 +70,7 @@ public:
     void set(const char* name, glm::vec4 value) const;
     void set(const char* name, const glm::mat4& value) const;
     void texture(const char* sampler, int unit, const Texture& texture) const;
+    void texture(const char* sampler, int unit, const VolumeTexture& texture) const;
     void textureId(const char* sampler, int unit, GLuint id) const;
     void block(const char* name, int binding) const;
 
