@@ -87,6 +87,27 @@ bool closed(const MeshEdges& edges) {
                        [&](const MeshEdge& edge) { return boundary(edges.sidesOf(edge)) == 0; });
 }
 
+std::vector<std::uint32_t> closedTriangles(const Mesh& mesh, const MeshEdges& edges) {
+    std::vector<std::uint32_t> parent(mesh.triangles.size());  // a forest: each tree is one part
+    std::iota(parent.begin(), parent.end(), 0u);
+    const auto part = [&](std::uint32_t t) {
+        while (parent[t] != t) t = parent[t] = parent[parent[t]];
+        return t;
+    };
+    for (const MeshEdge& edge : edges.edges)
+        for (const EdgeSide side : edges.sidesOf(edge))
+            parent[part(side.triangle)] = part(edges.sides[edge.firstSide].triangle);
+    std::vector<bool> open(mesh.triangles.size());  // by part
+    for (const std::uint32_t t : edges.degenerate) open[t] = true;
+    for (const MeshEdge& edge : edges.edges)
+        if (boundary(edges.sidesOf(edge)) != 0)
+            open[part(edges.sides[edge.firstSide].triangle)] = true;
+    std::vector<std::uint32_t> result;
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+        if (!open[part(t)]) result.push_back(t);
+    return result;
+}
+
 MeshReport meshReport(const MeshEdges& edges) {
     MeshReport report;
     report.degenerateTriangles = edges.degenerate.size();

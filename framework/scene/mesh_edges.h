@@ -57,6 +57,10 @@ MeshEdges meshEdges(const Mesh& mesh);
 // triangles meet there does not matter. Empty meshes are closed.
 bool closed(const MeshEdges& edges);
 
+// The triangles of the mesh's closed parts, ascending: of all triangles that hang together over
+// edges, either all are here or none. So a lamp with an open shade keeps the inside of its foot.
+std::vector<std::uint32_t> closedTriangles(const Mesh& mesh, const MeshEdges& edges);
+
 // Edges by what is wrong with them; a closed mesh has none. A T-junction shows as open edges: the
 // long edge on one side and its halves on the other have no partner.
 struct MeshReport {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "scene/gallery.h"
 #include "scene/orientation.h"
@@ -236,6 +237,25 @@ TEST(InstalledModels, WindingOfTheirClosedMeshesIsZeroFarAway) {
     if (meshes == 0) GTEST_SKIP() << "no models are installed";
     RecordProperty("meshes", meshes);
     RecordProperty("closed", closedMeshes);
+}
+
+TEST(ClosedTriangles, AreThoseOfPartsWithoutABorder) {
+    Mesh mesh = ground(4.0f, 2, 0);
+    append(mesh, box({0, 0, 0}, {1, 1, 1}, 0));
+    append(mesh, ground(1.0f, 1, 0));
+    std::vector<std::uint32_t> box(12);
+    std::iota(box.begin(), box.end(), 8u);
+    EXPECT_EQ(closedTriangles(mesh, meshEdges(mesh)), box);
+    turnInsideOut(mesh);
+    EXPECT_EQ(closedTriangles(mesh, meshEdges(mesh)), box);
+}
+
+TEST(ClosedTriangles, OfAPrismWithATJunctionAreNone) {
+    Mesh mesh = prismWithTJunction();
+    EXPECT_TRUE(closedTriangles(mesh, meshEdges(mesh)).empty());
+    mesh.triangles.push_back({0, 3, 6});  // no area, but it closes the gap
+    mesh.triangles.push_back({0, 3, 3});  // no edges: no part of anything
+    EXPECT_EQ(closedTriangles(mesh, meshEdges(mesh)).size(), 10u);
 }
 
 }  // namespace

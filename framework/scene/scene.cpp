@@ -8,12 +8,14 @@ Box bounds(const Mesh& mesh) {
     return box;
 }
 
-Box bounds(const Scene& scene) {
+Box bounds(std::span<const Mesh> meshes) {
     Box box;
-    for (const Mesh& mesh : scene.meshes)
+    for (const Mesh& mesh : meshes)
         for (const glm::vec3 p : mesh.positions) box.include(p);
     return box;
 }
+
+Box bounds(const Scene& scene) { return bounds(std::span(scene.meshes)); }
 
 std::size_t triangleCount(const Scene& scene) {
     std::size_t count = 0;

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -68,6 +69,7 @@ struct Scene {
 };
 
 Box bounds(const Mesh& mesh);
+Box bounds(std::span<const Mesh> meshes);
 Box bounds(const Scene& scene);
 std::size_t triangleCount(const Scene& scene);
 
