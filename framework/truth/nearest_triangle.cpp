@@ -22,35 +22,24 @@ double squaredDistanceToSegment(glm::dvec3 fromA, glm::dvec3 ab) {
     return squared(fromA - std::min(along / length2, 1.0) * ab);
 }
 
-}  // namespace
-
-double squaredDistance(glm::dvec3 point, glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
+// To the closed triangle, or `least` if that is smaller. A triangle without area is the segment or
+// the point that is left of it.
+double squaredDistance(glm::dvec3 point, glm::dvec3 a, glm::dvec3 b, glm::dvec3 c, double least) {
     const glm::dvec3 ab = b - a, bc = c - b, ca = a - c;
     const glm::dvec3 fromA = point - a, fromB = point - b, fromC = point - c;
     const glm::dvec3 normal = glm::cross(bc, ca);
+    const double normal2 = squared(normal), height = glm::dot(normal, fromA);
+    if (height * height >= least * normal2 && normal2 > 0.0) return least;  // its plane is far
     // Above the triangle's inside, the plane is nearest; elsewhere an edge is.
-    const double normal2 = squared(normal);
     if (normal2 > 0.0 && glm::dot(glm::cross(ab, fromA), normal) >= 0.0 &&
         glm::dot(glm::cross(bc, fromB), normal) >= 0.0 &&
-        glm::dot(glm::cross(ca, fromC), normal) >= 0.0) {
-        const double height = glm::dot(normal, fromA);
+        glm::dot(glm::cross(ca, fromC), normal) >= 0.0)
         return height * height / normal2;
-    }
     return std::min({squaredDistanceToSegment(fromA, ab), squaredDistanceToSegment(fromB, bc),
-                     squaredDistanceToSegment(fromC, ca)});
+                     squaredDistanceToSegment(fromC, ca), least});
 }
 
-double NearestTriangle::squaredDistanceTo(const Node& node, glm::dvec3 point) {
-    double box = 0.0;
-    for (int k = 0; k < 3; ++k) {
-        const double outside =
-            std::max({double(node.lower[k]) - point[k], point[k] - double(node.upper[k]), 0.0});
-        box += outside * outside;
-    }
-    const double place = glm::dot(glm::dvec3(node.across), point);
-    const double slab = std::max({node.slabLower - place, place - node.slabUpper, 0.0});
-    return std::max(box, slab * slab);
-}
+}  // namespace
 
 NearestTriangle::NearestTriangle(std::span<const Mesh> meshes) {
     for (const Mesh& mesh : meshes)
@@ -107,19 +96,36 @@ NearestTriangle::Found NearestTriangle::find(glm::dvec3 point, std::uint32_t gue
     std::array<Waiting, 64> stack;  // depth: at most 32, as halves of 2^32 triangles
     std::size_t waiting = 0;
     std::uint32_t nearest = guess;
-    double least = squaredDistanceTo(guess, point);
+    double least = std::numeric_limits<double>::infinity();
+    const auto measure = [&](std::uint32_t triangle) {
+        const auto& [a, b, c] = triangles_[triangle];
+        const double d = squaredDistance(point, a, b, c, least);
+        if (d < least) least = d, nearest = triangle;
+    };
+    const auto distance2 = [&](const Node& node) {
+        double box = 0.0;
+        for (int k = 0; k < 3; ++k) {
+            const double below = double(node.lower[k]) - point[k];
+            const double above = point[k] - double(node.upper[k]);
+            const double outside = std::max(std::max(below, above), 0.0);
+            box += outside * outside;
+        }
+        const double place = glm::dot(glm::dvec3(node.across), point);
+        const double slab = std::max(std::max(node.slabLower - place, place - node.slabUpper), 0.0);
+        return std::max(box, slab * slab);
+    };
+    measure(guess);
     stack[waiting++] = {0.0, 0};
     while (waiting > 0) {
         const Waiting top = stack[--waiting];
         if (top.distance2 >= least) continue;
         const Node& node = nodes_[top.node];
-        for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
-            if (const double d = squaredDistanceTo(i, point); d < least) least = d, nearest = i;
+        for (std::uint32_t i = node.first; i < node.first + node.count; ++i) measure(i);
         if (node.count > 0) continue;
         Waiting children[2];
         for (std::uint32_t k = 0; k < 2; ++k) {
             const Node& child = nodes_[node.first + k];
-            children[k] = {squaredDistanceTo(child, point), node.first + k};
+            children[k] = {distance2(child), node.first + k};
         }
         const bool swap = children[0].distance2 < children[1].distance2;  // the nearer one on top
         for (const Waiting& child : {children[swap], children[!swap]})

@@ -14,10 +14,6 @@
 
 namespace penumbra {
 
-// Euclidean distance squared to the closed triangle a, b, c; one without area is the segment or the
-// point that is left of it.
-double squaredDistance(glm::dvec3 point, glm::dvec3 a, glm::dvec3 b, glm::dvec3 c);
-
 // A tree of boxes [Kay and Kajiya 1986] over all triangles of the meshes, searched nearest box
 // first. Everything is computed in float64: what a search returns does not depend on its guess but
 // for the last bits, nor on threads. (Embree's point queries compare boxes in float32, relative to
@@ -27,7 +23,7 @@ public:
     explicit NearestTriangle(std::span<const Mesh> meshes);
 
     struct Found {
-        double distance;         // infinity where there is no triangle
+        double distance;         // to the closed triangle; infinity where there is none
         std::uint32_t triangle;  // of this object's own order: good for a guess, no more
     };
     // `guess` bounds the search from above: the triangle found for a point nearby.
@@ -50,13 +46,7 @@ private:
         double slabLower, slabUpper;  // of dot(across, p)
     };
 
-    static double squaredDistanceTo(const Node& node, glm::dvec3 point);
     void build(std::uint32_t node, std::uint32_t first, std::uint32_t last);
-    double squaredDistanceTo(std::uint32_t triangle, glm::dvec3 point) const {
-        const Triangle& t = triangles_[triangle];
-        return squaredDistance(point, t.a, t.b, t.c);
-    }
-
     std::vector<Triangle> triangles_;
     std::vector<Node> nodes_;
 };
