@@ -6,6 +6,7 @@
 #include <charconv>
 #include <iostream>
 
+#include "app/benchmark.h"
 #include "app/headless.h"
 #include "app/viewer.h"
 #include "core/error.h"
@@ -122,6 +123,13 @@ void run(const std::string& command, const Options& options, const std::string& 
                         .play = options.play});
         return;
     }
+    if (command == "sweep") {
+        sweepToFrameFile(
+            session, *context,
+            {.size = size, .repetitions = options.repetitions, .varied = options.varied},
+            options.frameFile);
+        return;
+    }
     if (options.frameFile.empty() == options.out.empty())
         throw Error("nowhere to write", "render",
                     "give --out DIR (or --frame-file FILE for the grader)");
@@ -162,19 +170,23 @@ int runAssignment(int argc, char** argv, const std::string& layers,
     auto* render = app.add_subcommand("render", "one headless frame");
     auto* evaluateCommand = app.add_subcommand("evaluate", "one GLSL function on rows of inputs");
     auto* benchmark = app.add_subcommand("benchmark", "cost in floors");
+    auto* sweep = app.add_subcommand("sweep", "cost and images of many settings, for the study");
     app.add_subcommand("list", "settings with range and unit");
-    for (auto* sub : {open, render, benchmark, evaluateCommand}) common(sub);
-    for (auto* sub : {open, render, benchmark})
+    for (auto* sub : {open, render, benchmark, sweep, evaluateCommand}) common(sub);
+    for (auto* sub : {open, render, benchmark, sweep})
         sub->add_option("--scene", o.scenes,
                         "built-in name, installed model, or path to a .glb or .gltf");
-    for (auto* sub : {render, benchmark}) sub->add_option("--size", o.size, "WxH");
+    for (auto* sub : {render, benchmark, sweep}) sub->add_option("--size", o.size, "WxH");
     render->add_option("--out", o.out, "folder for the images and frame.json");
     render->add_option("--image", o.images, "only these images");
     render->add_option("--frame-file", o.frameFile, "one file for the grader");
     render->add_flag("--warm", o.warm, "draw once before: times then hold no shader compilation");
-    benchmark->add_option("--repeat", o.repetitions, "measured rounds")->check(CLI::Range(1, 1000));
-    benchmark->add_option("--vary", o.varied,
-                          "name=value: one more row, with that setting changed");
+    for (auto* sub : {benchmark, sweep}) {
+        sub->add_option("--repeat", o.repetitions, "measured rounds")->check(CLI::Range(1, 1000));
+        sub->add_option("--vary", o.varied,
+                        "name=value,name=value: one more row, with those settings changed");
+    }
+    sweep->add_option("--frame-file", o.frameFile)->required();
     benchmark->add_flag("--play", o.play, "settings that play advance from frame to frame");
     evaluateCommand->add_option("--chunk", o.chunk)->required();
     evaluateCommand->add_option("--expression", o.expression)->required();

@@ -47,7 +47,8 @@ class SampledLightTest : public GlTest {
 protected:
     static double rmseAgainstRays(const char* scene, int maps) {
         const glm::ivec2 size(128);
-        Session session(std::make_unique<SampledLightOnly>(maps), Layers({repositoryRoot() / "framework/shaders"}));
+        Session session(std::make_unique<SampledLightOnly>(maps),
+                        Layers({repositoryRoot() / "framework/shaders"}));
         session.open(loadScene(scene));
         const Image mine = session.render(size, {{"visibility"}}).read().at("visibility");
         const RayTracer tracer(session.scene());

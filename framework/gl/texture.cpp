@@ -64,6 +64,45 @@ std::size_t texelValues(const Texture& texture) {
            std::size_t(texture.channels());
 }
 
+std::size_t liveTextureBytes = 0;
+
+std::size_t bytesPerTexel(GLenum internal) {
+    switch (internal) {
+        case GL_R8:
+            return 1;
+        case GL_RG8:
+        case GL_R16:
+        case GL_R16F:
+        case GL_DEPTH_COMPONENT16:
+            return 2;
+        case GL_RGB8:
+            return 3;
+        case GL_RGB16F:
+            return 6;
+        case GL_RG32F:
+        case GL_RG32UI:
+        case GL_RGBA16:
+        case GL_RGBA16F:
+        case GL_DEPTH32F_STENCIL8:
+            return 8;
+        case GL_RGB32F:
+            return 12;
+        case GL_RGBA32F:
+        case GL_RGBA32UI:
+            return 16;
+        default:
+            return 4;
+    }
+}
+
+std::size_t bytesOf(const TextureDescription& d) {
+    std::size_t bytes = 0;
+    for (glm::ivec2 size = d.size;; size = glm::max(size / 2, 1)) {
+        bytes += bytesPerTexel(d.format) * std::size_t(size.x) * std::size_t(size.y);
+        if (!d.mipmaps || size == glm::ivec2(1)) return bytes;
+    }
+}
+
 }  // namespace
 
 Texture::Texture(const TextureDescription& description) : description_(description) {
@@ -75,6 +114,7 @@ Texture::Texture(const TextureDescription& description) : description_(descripti
                         " texels",
                     description.label, "stay within 1 to " + std::to_string(largest));
     glGenTextures(1, &id_);
+    liveTextureBytes += bytesOf(description);
     glBindTexture(GL_TEXTURE_2D, id_);
     const Transfer transfer = transferOf(description.format);
     const int levels = description.mipmaps ? std::bit_width(unsigned(std::max(width, height))) : 1;
@@ -96,7 +136,9 @@ Texture::Texture(const TextureDescription& description) : description_(descripti
 }
 
 Texture::~Texture() {
-    if (id_) glDeleteTextures(1, &id_);
+    if (!id_) return;
+    glDeleteTextures(1, &id_);
+    liveTextureBytes -= bytesOf(description_);
 }
 
 Texture::Texture(Texture&& other) noexcept
@@ -107,6 +149,8 @@ Texture& Texture::operator=(Texture&& other) noexcept {
     std::swap(description_, other.description_);
     return *this;
 }
+
+std::size_t Texture::liveBytes() { return liveTextureBytes; }
 
 bool Texture::isDepth() const {
     return transferOf(description_.format).format == GL_DEPTH_COMPONENT || hasStencil();

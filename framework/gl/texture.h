@@ -55,6 +55,9 @@ public:
     bool holdsIntegers() const;
     int channels() const;
 
+    // Of all textures of this process, mip levels included.
+    static std::size_t liveBytes();
+
 private:
     GLuint id_ = 0;
     TextureDescription description_;
