@@ -11,7 +11,6 @@
 #include "scene/mesh_edges.h"
 #include "scene/random.h"
 #include "scene/shapes.h"
-#include "truth/nearest_triangle.h"
 #include "truth/parallel.h"
 #include "truth/test_scene.h"
 
@@ -26,9 +25,8 @@ Mesh insideOut(Mesh mesh) {
     return mesh;
 }
 
-DistanceField fieldOf(std::vector<Mesh> meshes, int voxels) {
-    return distanceField(meshes,
-                         DistanceGrid::around(bounds(std::span(std::as_const(meshes))), voxels));
+DistanceField fieldOf(const std::vector<Mesh>& meshes, int voxels) {
+    return distanceField(meshes, DistanceGrid::around(bounds(meshes), voxels));
 }
 
 template <class Visit>

@@ -47,6 +47,7 @@ private:
     };
 
     void build(std::uint32_t node, std::uint32_t first, std::uint32_t last);
+
     std::vector<Triangle> triangles_;
     std::vector<Node> nodes_;
 };
