@@ -1,0 +1,49 @@
+// The distance field of what can block, in a texture; the dials as the shaders read them, and the chunks that they choose.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "gl/volume_texture.h"
+#include "render/frame.h"
+#include "truth/distance_field.h"
+
+namespace penumbra {
+
+struct FieldBlock {  // field.glsl
+    glm::vec3 lower;
+    float cell;
+    glm::vec3 upper;
+    float normalOffset;
+    float k, stepCap, smallestStep;
+    int maxSteps;
+    float sliceY;
+    float padding[3] = {};
+};
+static_assert(offsetof(FieldBlock, upper) == 16 && offsetof(FieldBlock, k) == 32 &&
+              offsetof(FieldBlock, sliceY) == 48);
+
+// Kept while scene and grid stay as they are; from the cache on disk where it holds them.
+class BlockerField {
+public:
+    void prepare(const View& view, int voxels);
+    const DistanceGrid& grid() const { return grid_; }
+    const VolumeTexture& texture() const { return texture_; }
+    // What a person who looks at the picture should know: which meshes have no inside.
+    const std::vector<std::string>& notes() const { return notes_; }
+
+private:
+    long revision_ = -1;
+    int voxels_ = 0;
+    DistanceGrid grid_;
+    VolumeTexture texture_;
+    std::vector<std::string> notes_;
+};
+
+FieldBlock fieldBlock(const Settings& settings, const DistanceGrid& grid);
+
+// One form of every function that the given chunks declare.
+std::vector<std::string> chunksFor(const Settings& settings);
+
+}  // namespace penumbra

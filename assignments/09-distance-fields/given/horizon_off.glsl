@@ -1,0 +1,3 @@
+#include "receiver.glsl"
+
+float lightAboveHorizon(Receiver receiver) { return 1.0; }

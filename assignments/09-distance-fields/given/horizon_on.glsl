@@ -1,0 +1,4 @@
+#include "receiver.glsl"
+#include "horizon.glsl"
+
+float lightAboveHorizon(Receiver receiver) { return shareAboveHorizon(receiver.lightHeight); }
