@@ -1,4 +1,5 @@
-// Soft shadows of a square light from a signed distance field. [Hart 1996, Quilez 2010, Aaltonen 2018]
+// Soft shadows of a square light from a signed distance field. [Hart 1996, Quilez 2010, Aaltonen
+// 2018]
 //
 //   field      distance to whatever can block, on a grid of voxels; made when the scene changes
 //   surfaces   what the camera sees, its light without shadow, its place in the world
@@ -76,8 +77,8 @@ private:
 void DistanceFields::settings(Settings& s) {
     s.choice({.name = "method",
               .help = "how the march's result becomes visibility",
-              .value = 2,
-              .choices = {"lecture", "closest_approach", "signed", "edge", "edge1", "hard"}});
+              .value = 4,
+              .choices = {"lecture", "closest_approach", "signed", "edge", "quarters", "hard"}});
     s.choice({.name = "grid",
               .help = "voxels along the field's longest side",
               .unit = "voxels",
@@ -133,7 +134,7 @@ void DistanceFields::prepare(const View& view) {
         inspection_.reset();
     }
     field_.prepare(view, 64 << view.settings.index("grid"));
-    gl_->field.upload(fieldBlock(view.settings, field_.grid()));
+    gl_->field.upload(fieldBlock(view.settings, field_));
     gl_->camera.upload(cameraBlock(view.camera, view.size));
     gl_->light.upload(lightBlock(view.light));
 }
@@ -151,7 +152,8 @@ void DistanceFields::screenPass(const Program& program, const Framebuffer& frame
     gl_->screen.draw(program, framebuffer);
 }
 
-void DistanceFields::inspect(const View& view, Frame& frame, const std::vector<std::string>& chunks) {
+void DistanceFields::inspect(const View& view, Frame& frame,
+                             const std::vector<std::string>& chunks) {
     if (frame.wants("ratio") || frame.wants("approach") || frame.wants("steps")) {
         if (!inspection_) inspection_ = std::make_unique<Inspection>(view.size);
         screenPass(view.shaders.program("screen.vert", "inspect.frag", chunks),

@@ -18,8 +18,7 @@ namespace {
 constexpr float kSkinVoxels = 0.5f;
 
 void combine(std::vector<float>& values, const std::vector<float>& open, float skin) {
-    for (std::size_t i = 0; i < values.size(); ++i)
-        values[i] = std::min(values[i], open[i] - skin);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = std::min(values[i], open[i] - skin);
 }
 
 }  // namespace
@@ -27,6 +26,7 @@ void combine(std::vector<float>& values, const std::vector<float>& open, float s
 void BlockerField::prepare(const View& view, int voxels) {
     if (revision_ == view.revision && voxels_ == voxels) return;
     notes_.clear();
+    skin_ = 0;
     std::vector<Mesh> blockers = possibleBlockers(view.scene, view.light);
     std::vector<float> values;
     if (blockers.empty()) {
@@ -37,31 +37,37 @@ void BlockerField::prepare(const View& view, int voxels) {
         values = {size};
     } else {
         grid_ = DistanceGrid::around(bounds(blockers), voxels);
-        const auto open = std::stable_partition(
-            blockers.begin(), blockers.end(), [](const Mesh& m) { return closed(meshEdges(m)); });
+        const auto open = std::stable_partition(blockers.begin(), blockers.end(),
+                                                [](const Mesh& m) { return closed(meshEdges(m)); });
         const std::span<const Mesh> closedOnes(blockers.begin(), open);
         const std::span<const Mesh> openOnes(open, blockers.end());
-        Progress progress("distance field", grid_.size.z * (closedOnes.empty() || openOnes.empty() ? 1 : 2));
+        Progress progress("distance field",
+                          grid_.size.z * (closedOnes.empty() || openOnes.empty() ? 1 : 2));
         const auto build = [&](std::span<const Mesh> meshes) {
             return distanceField(meshes, grid_, &progress).values;
         };
         values = closedOnes.empty() ? std::vector<float>(grid_.count(), 1e30f) : build(closedOnes);
-        if (!openOnes.empty()) combine(values, build(openOnes), kSkinVoxels * grid_.cell);
+        if (!openOnes.empty()) {
+            skin_ = kSkinVoxels * grid_.cell;
+            combine(values, build(openOnes), skin_);
+        }
         for (const Mesh& mesh : openOnes)
-            notes_.push_back(fmt::format("mesh {} is open: it has no inside, and blocks as a sheet {} voxel thick",
-                                         mesh.name, 2 * kSkinVoxels));
+            notes_.push_back(fmt::format(
+                "mesh {} is open: it has no inside, and blocks as a sheet {} voxel thick",
+                mesh.name, 2 * kSkinVoxels));
     }
     texture_ = VolumeTexture({.size = grid_.size, .format = GL_R32F, .label = "distance field"});
     texture_.upload(values);
     revision_ = view.revision, voxels_ = voxels;
 }
 
-FieldBlock fieldBlock(const Settings& s, const DistanceGrid& grid) {
+FieldBlock fieldBlock(const Settings& s, const BlockerField& field) {
+    const DistanceGrid& grid = field.grid();
     const glm::vec3 upper = grid.upper();
     return {.lower = grid.lower,
             .cell = grid.cell,
             .upper = upper,
-            .normalOffset = s["normal_offset"] * grid.cell,
+            .normalOffset = s["normal_offset"] * grid.cell + field.skin(),
             .k = s["k"],
             .stepCap = s["step_cap"],
             .smallestStep = s["smallest_step"] * grid.cell,

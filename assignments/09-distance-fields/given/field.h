@@ -1,4 +1,5 @@
-// The distance field of what can block, in a texture; the dials as the shaders read them, and the chunks that they choose.
+// The distance field of what can block, in a texture; the dials as the shaders read them, and the
+// chunks that they choose.
 #pragma once
 
 #include <cstddef>
@@ -30,6 +31,9 @@ public:
     void prepare(const View& view, int voxels);
     const DistanceGrid& grid() const { return grid_; }
     const VolumeTexture& texture() const { return texture_; }
+    float skin() const {
+        return skin_;
+    }  // half the thickness given to open meshes; 0: none is [world]
     // What a person who looks at the picture should know: which meshes have no inside.
     const std::vector<std::string>& notes() const { return notes_; }
 
@@ -37,11 +41,12 @@ private:
     long revision_ = -1;
     int voxels_ = 0;
     DistanceGrid grid_;
+    float skin_ = 0;
     VolumeTexture texture_;
     std::vector<std::string> notes_;
 };
 
-FieldBlock fieldBlock(const Settings& settings, const DistanceGrid& grid);
+FieldBlock fieldBlock(const Settings& settings, const BlockerField& field);
 
 // One form of every function that the given chunks declare.
 std::vector<std::string> chunksFor(const Settings& settings);
