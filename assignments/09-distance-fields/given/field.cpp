@@ -1,13 +1,13 @@
 #include "field.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
+#include "core/cache_folder.h"
 #include "scene/blockers.h"
 #include "scene/mesh_edges.h"
-#include "truth/distance_field.h"
+#include "truth/distance_cache.h"
 
 namespace penumbra {
 
@@ -17,48 +17,57 @@ namespace {
 // half a voxel on an axis, sqrt(3) / 2 along a diagonal. So sheets get a thickness.
 constexpr float kSkinVoxels = 0.5f;
 
-void combine(std::vector<float>& values, const std::vector<float>& open, float skin) {
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = std::min(values[i], open[i] - skin);
-}
-
 }  // namespace
 
 void BlockerField::prepare(const View& view, int voxels) {
-    if (revision_ == view.revision && voxels_ == voxels) return;
+    const bool sameScene = revision_ == view.revision && voxels_ == voxels;
+    if (sameScene && light_ == view.light) return;
+    std::vector<Mesh> blockers = possibleBlockers(view.scene, view.light);
+    std::vector<std::string> names;
+    for (const Mesh& mesh : blockers) names.push_back(mesh.name);
+    const bool same = sameScene && names == blockers_;
+    revision_ = view.revision, light_ = view.light, voxels_ = voxels, blockers_ = std::move(names);
+    if (same) return;
     notes_.clear();
     skin_ = 0;
-    std::vector<Mesh> blockers = possibleBlockers(view.scene, view.light);
+    if (blockers.empty()) return makeEmpty(view.scene);
+    grid_ = DistanceGrid::around(bounds(blockers), voxels);
+    const auto open = std::stable_partition(
+        blockers.begin(), blockers.end(), [](const Mesh& mesh) { return closed(meshEdges(mesh)); });
+    make({blockers.begin(), open}, {open, blockers.end()});
+}
+
+void BlockerField::make(std::span<const Mesh> closedMeshes, std::span<const Mesh> openMeshes) {
+    Progress progress("distance field",
+                      long(grid_.size.z) * (!closedMeshes.empty() + !openMeshes.empty()));
+    const auto field = [&](std::span<const Mesh> meshes) {
+        return cachedDistanceField(cacheFolder(), meshes, grid_, &progress).values;
+    };
     std::vector<float> values;
-    if (blockers.empty()) {
-        // One voxel as far from everything as the scene is wide: nothing blocks.
-        const Box box = bounds(view.scene);
-        const float size = glm::length(box.upper - box.lower);
-        grid_ = {.lower = box.lower, .cell = size, .size = glm::ivec3(1)};
-        values = {size};
-    } else {
-        grid_ = DistanceGrid::around(bounds(blockers), voxels);
-        const auto open = std::stable_partition(blockers.begin(), blockers.end(),
-                                                [](const Mesh& m) { return closed(meshEdges(m)); });
-        const std::span<const Mesh> closedOnes(blockers.begin(), open);
-        const std::span<const Mesh> openOnes(open, blockers.end());
-        Progress progress("distance field",
-                          grid_.size.z * (closedOnes.empty() || openOnes.empty() ? 1 : 2));
-        const auto build = [&](std::span<const Mesh> meshes) {
-            return distanceField(meshes, grid_, &progress).values;
-        };
-        values = closedOnes.empty() ? std::vector<float>(grid_.count(), 1e30f) : build(closedOnes);
-        if (!openOnes.empty()) {
-            skin_ = kSkinVoxels * grid_.cell;
-            combine(values, build(openOnes), skin_);
+    if (!closedMeshes.empty()) values = field(closedMeshes);
+    if (!openMeshes.empty()) {
+        skin_ = kSkinVoxels * grid_.cell;
+        std::vector<float> sheets = field(openMeshes);
+        for (std::size_t i = 0; i < sheets.size(); ++i) {
+            sheets[i] -= skin_;
+            if (!values.empty()) sheets[i] = std::min(sheets[i], values[i]);
         }
-        for (const Mesh& mesh : openOnes)
-            notes_.push_back(fmt::format(
-                "mesh {} is open: it has no inside, and blocks as a sheet {} voxel thick",
-                mesh.name, 2 * kSkinVoxels));
+        values = std::move(sheets);
     }
+    for (const Mesh& mesh : openMeshes)
+        notes_.push_back(fmt::format(
+            "mesh {} is open: it has no inside, and blocks as a sheet, one voxel ({:.2g}) thick",
+            mesh.name, grid_.cell));
     texture_ = VolumeTexture({.size = grid_.size, .format = GL_R32F, .label = "distance field"});
     texture_.upload(values);
-    revision_ = view.revision, voxels_ = voxels;
+}
+
+// One voxel that is as far from everything as the scene is wide: nothing blocks.
+void BlockerField::makeEmpty(const Scene& scene) {
+    const Box box = bounds(scene);
+    grid_ = {.lower = box.lower, .cell = glm::length(box.upper - box.lower), .size = glm::ivec3(1)};
+    texture_ = VolumeTexture({.size = grid_.size, .format = GL_R32F, .label = "distance field"});
+    texture_.upload(std::vector<float>{grid_.cell});
 }
 
 FieldBlock fieldBlock(const Settings& s, const BlockerField& field) {

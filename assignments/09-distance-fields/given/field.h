@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,21 +26,26 @@ struct FieldBlock {  // field.glsl
 static_assert(offsetof(FieldBlock, upper) == 16 && offsetof(FieldBlock, k) == 32 &&
               offsetof(FieldBlock, sliceY) == 48);
 
-// Kept while scene and grid stay as they are; from the cache on disk where it holds them.
+// Made when the scene changes, or the light moves so that other meshes can block; from the cache on
+// disk where it holds the field.
 class BlockerField {
 public:
     void prepare(const View& view, int voxels);
     const DistanceGrid& grid() const { return grid_; }
     const VolumeTexture& texture() const { return texture_; }
-    float skin() const {
-        return skin_;
-    }  // half the thickness given to open meshes; 0: none is [world]
-    // What a person who looks at the picture should know: which meshes have no inside.
+    // Half the thickness that open meshes are given, since they have no inside; 0: there are none.
+    float skin() const { return skin_; }
+    // What a person who looks at the picture should know of it.
     const std::vector<std::string>& notes() const { return notes_; }
 
 private:
+    void make(std::span<const Mesh> closedMeshes, std::span<const Mesh> openMeshes);
+    void makeEmpty(const Scene& scene);
+
     long revision_ = -1;
+    Light light_;
     int voxels_ = 0;
+    std::vector<std::string> blockers_;  // names
     DistanceGrid grid_;
     float skin_ = 0;
     VolumeTexture texture_;
