@@ -5,9 +5,9 @@
 #include <glm/gtc/matrix_access.hpp>
 
 #include "core/checks.h"
+#include "core/truths.h"
 #include "planar_truth.h"
 #include "scene/gallery.h"
-#include "truth/visibility.h"
 
 namespace penumbra {
 namespace {
@@ -58,13 +58,14 @@ const dvec4 kGround(0, 1, 0, 0);
 const std::string kEntryRounding =
     "entries are sums of up to four float32 products; shown in units of |plane| |light|: 4 x 2^-24";
 
-// `count` scenes whose light (and, if asked for, plane) lies anywhere.
-std::vector<Matrices> matricesOf(unsigned seed, int count, bool directional, bool anyPlane) {
-    Dice dice{std::mt19937(seed)};
+// Some scenes whose light lies anywhere; `anyPlane`: their plane, too, else it is the ground.
+std::vector<Matrices> matricesOf(bool directional, bool anyPlane) {
+    const int first = directional ? 22 : 21, count = anyPlane ? 5 : 2;
+    Dice dice{std::mt19937(unsigned(first))};
     std::vector<Matrices> result;
     for (int i = 0; i < count; ++i) {
         const vec3 center(dice(-6, 6), dice(2, 9), dice(-6, 6));
-        result.emplace_back(posed(stage(center, directional), anyPlane ? int(seed) + i : 0));
+        result.emplace_back(posed(stage(center, directional), anyPlane ? first + i : 0));
     }
     return result;
 }
@@ -107,50 +108,46 @@ void expectOnTheirRays(const char* subject, const Matrices& m, dvec4 plane, cons
 
 TEST(Task1GroundMatrix, EntriesAreTheLecturesForAPointLight) {
     expectEntries(
-        "groundShadowMatrix()", matricesOf(11, 8, false, false),
-        [](const Matrices& m) { return m.ground; },
+        "groundShadowMatrix()", matricesOf(false, true), [](const Matrices& m) { return m.ground; },
         [](const Matrices& m) { return shadowMatrixOf(kGround, m.light); });
 }
 
 TEST(Task1GroundMatrix, ADirectionalLightTakesTheSameForm) {
     expectEntries(
-        "groundShadowMatrix()", matricesOf(12, 6, true, false),
-        [](const Matrices& m) { return m.ground; },
+        "groundShadowMatrix()", matricesOf(true, true), [](const Matrices& m) { return m.ground; },
         [](const Matrices& m) { return shadowMatrixOf(kGround, m.light); });
 }
 
 TEST(Task1GroundMatrix, FlattensPointsAlongTheirRays) {
     for (const bool directional : {false, true}) {
-        const Matrices m = matricesOf(13, 1, directional, false)[0];
+        const Matrices m = matricesOf(directional, false)[0];
         expectOnTheirRays("groundShadowMatrix() (v, 1)", m, kGround, m.ground);
     }
 }
 
 TEST(Task2PlaneMatrix, EntriesForAnyPlaneAndAPointLight) {
     expectEntries(
-        "planeShadowMatrix()", matricesOf(21, 8, false, true),
-        [](const Matrices& m) { return m.plane; },
+        "planeShadowMatrix()", matricesOf(false, true), [](const Matrices& m) { return m.plane; },
         [](const Matrices& m) { return shadowMatrixOf(m.planeVector, m.light); });
 }
 
 TEST(Task2PlaneMatrix, ADirectionalLightTakesTheSameForm) {
     expectEntries(
-        "planeShadowMatrix()", matricesOf(22, 6, true, true),
-        [](const Matrices& m) { return m.plane; },
+        "planeShadowMatrix()", matricesOf(true, true), [](const Matrices& m) { return m.plane; },
         [](const Matrices& m) { return shadowMatrixOf(m.planeVector, m.light); });
 }
 
 TEST(Task2PlaneMatrix, EqualsTheGroundMatrixForTheGround) {
     for (const bool directional : {false, true})
         expectEntries(
-            "planeShadowMatrix() for (0, 1, 0, 0)", matricesOf(23, 3, directional, false),
+            "planeShadowMatrix() for (0, 1, 0, 0)", matricesOf(directional, false),
             [](const Matrices& m) { return m.plane; },
             [](const Matrices& m) { return shadowMatrixOf(kGround, m.light); });
 }
 
 TEST(Task2PlaneMatrix, FlattensPointsAlongTheirRays) {
     for (const bool directional : {false, true})
-        for (const Matrices& m : matricesOf(24, 2, directional, true))
+        for (const Matrices& m : matricesOf(directional, true))
             expectOnTheirRays("planeShadowMatrix() (v, 1)", m, m.planeVector, m.plane);
 }
 
@@ -233,9 +230,9 @@ struct RayTruth {
     Image visibility, interior;
 
     RayTruth(const Scene& scene, glm::ivec2 size) {
-        const RayTracer tracer(scene);
-        receivers = tracer.receivers(scene.camera, size);
-        visibility = pointVisibility(tracer, receivers, scene.lights[0]);
+        const TracedScene traced(scene, size);
+        receivers = traced.receivers();
+        visibility = traced.pointVisibility();
         interior = Image(size.x, size.y, 1, 1.0f);
         for (int y = 0; y < size.y; ++y)
             for (int x = 0; x < size.x; ++x)
@@ -375,9 +372,15 @@ TEST(Task3Drawing, NothingIsDrawnOverCasters) {
 struct Casters {
     Rows planes, lights, casters, others;
 
-    Casters(unsigned seed, bool directional) {
+    enum Lights { points, pointsAndSuns };
+
+    Casters(unsigned seed, Lights kinds) {
         Dice dice{std::mt19937(seed)};
-        while (planes.size() < kRows) {
+        add(dice, false);
+        if (kinds == pointsAndSuns) add(dice, true);
+    }
+    void add(Dice& dice, bool directional) {
+        for (const std::size_t end = planes.size() + kRows; planes.size() < end;) {
             const dvec4 plane(vec4(vec3(dice.direction()), float(dice(-3, 3))));
             const dvec4 light(directional ? vec3(dice.direction()) : vec3(dice.point(8)),
                               directional ? 0 : 1);
@@ -404,28 +407,25 @@ struct Casters {
 double sign(double x) { return x < 0 ? -1 : 1; }
 
 TEST(Task4Clip, SignsTellWhatStandsBetween) {
-    for (const bool directional : {false, true}) {
-        const Casters in(directional ? 41 : 42, directional);
-        const Rows signsOfClipDistances =
-            in.ask("clip_caster.glsl", "vec4(sign(clipDistances(a, b, c.xyz)), 0.0, 0.0)");
-        Rows truth;
-        for (std::size_t i = 0; i < kRows; ++i) {
-            const dvec4 plane(in.planes[i]), light(in.lights[i]);
-            const double height = glm::dot(plane, dvec4(in.casters[i]));
-            truth.emplace_back(sign(height), sign(glm::dot(plane, light) - light.w * height), 0, 0);
-        }
-        EXPECT_ROWS_NEAR(
-            signsOfClipDistances, truth,
-            {.absolute = 0,
-             .relative = 0,
-             .components = 2,
-             .cause = "casters at least 0.1 from either boundary: no rounding decides"});
+    const Casters in(42, Casters::pointsAndSuns);
+    const Rows signsOfClipDistances =
+        in.ask("clip_caster.glsl", "vec4(sign(clipDistances(a, b, c.xyz)), 0.0, 0.0)");
+    Rows truth;
+    for (std::size_t i = 0; i < in.planes.size(); ++i) {
+        const dvec4 plane(in.planes[i]), light(in.lights[i]);
+        const double height = glm::dot(plane, dvec4(in.casters[i]));
+        truth.emplace_back(sign(height), sign(glm::dot(plane, light) - light.w * height), 0, 0);
     }
+    EXPECT_ROWS_NEAR(signsOfClipDistances, truth,
+                     {.absolute = 0,
+                      .relative = 0,
+                      .components = 2,
+                      .cause = "casters at least 0.1 from either boundary: no rounding decides"});
 }
 
 TEST(Task4Clip, DistancesAreLinearInTheCaster) {
     // The quotient of two casters' distances is free of scale, and right for linear ones alone.
-    const Casters in(43, false);
+    const Casters in(43, Casters::points);
     const Rows quotients =
         in.ask("clip_caster.glsl",
                "vec4(clipDistances(a, b, d.xyz) / clipDistances(a, b, c.xyz), 0.0, 0.0)");
@@ -489,93 +489,97 @@ Rows askRay(const Casters& in, const char* expression) {
 }
 
 TEST(Task5RayForm, PointsLieOnTheirRays) {
-    for (const bool directional : {false, true}) {
-        const Casters in(directional ? 51 : 52, directional);
-        const Rows points = askRay(
-            in, "vec4((flattenAlongRay(a, b, c.xyz) / flattenAlongRay(a, b, c.xyz).w).xyz, 0.0)");
-        Rows truth;
-        for (std::size_t i = 0; i < kRows; ++i) {
-            const dvec4 p = flattened(in.planes[i], in.lights[i], vec3(in.casters[i]));
-            truth.emplace_back(p / p.w);
-        }
-        EXPECT_ROWS_NEAR(points, truth,
-                         {.absolute = 1e-3,
-                          .relative = 1e-4,
-                          .components = 3,
-                          .cause = "w from 0.1 on of coordinates up to 8, rounded to 2e-6: 2e-5 of "
-                                   "the ray, up to 100 long"});
+    const Casters in(52, Casters::pointsAndSuns);
+    const Rows points = askRay(
+        in, "vec4((flattenAlongRay(a, b, c.xyz) / flattenAlongRay(a, b, c.xyz).w).xyz, 0.0)");
+    Rows truth;
+    for (std::size_t i = 0; i < in.planes.size(); ++i) {
+        const dvec4 p = flattened(in.planes[i], in.lights[i], vec3(in.casters[i]));
+        truth.emplace_back(p / p.w);
     }
+    EXPECT_ROWS_NEAR(points, truth,
+                     {.absolute = 1e-3,
+                      .relative = 1e-4,
+                      .components = 3,
+                      .cause = "w from 0.1 on of coordinates up to 8, rounded to 2e-6: 2e-5 of "
+                               "the ray, up to 100 long"});
 }
 
 TEST(Task5RayForm, FlattenedPointsAreLinearInTheCaster) {
     // Undivided, and in units of another caster's w: the rasteriser interpolates (p w, w), and its
     // sign tells what lies beyond the light.
-    for (const bool directional : {false, true}) {
-        const Casters in(directional ? 53 : 54, directional);
-        const Rows flattenedPoints =
-            askRay(in, "flattenAlongRay(a, b, d.xyz) / abs(flattenAlongRay(a, b, c.xyz).w)");
-        Rows truth;
-        for (std::size_t i = 0; i < kRows; ++i) {
-            const dvec4 plane(in.planes[i]), light(in.lights[i]);
-            truth.emplace_back(flattened(plane, light, vec3(in.others[i])) /
-                               std::abs(flattened(plane, light, vec3(in.casters[i])).w));
-        }
-        EXPECT_ROWS_NEAR(flattenedPoints, truth,
-                         {.absolute = 1e-3,
-                          .relative = 1e-4,
-                          .components = 4,
-                          .cause = "products of up to 100, rounded to 1e-5, over w from 0.1 on"});
+    const Casters in(54, Casters::pointsAndSuns);
+    const Rows flattenedPoints =
+        askRay(in, "flattenAlongRay(a, b, d.xyz) / abs(flattenAlongRay(a, b, c.xyz).w)");
+    Rows truth;
+    for (std::size_t i = 0; i < in.planes.size(); ++i) {
+        const dvec4 plane(in.planes[i]), light(in.lights[i]);
+        truth.emplace_back(flattened(plane, light, vec3(in.others[i])) /
+                           std::abs(flattened(plane, light, vec3(in.casters[i])).w));
     }
+    EXPECT_ROWS_NEAR(flattenedPoints, truth,
+                     {.absolute = 1e-3,
+                      .relative = 1e-4,
+                      .components = 4,
+                      .cause = "products of up to 100, rounded to 1e-5, over w from 0.1 on"});
 }
 
-// Casters at `gap` of the light's height below it, up to 3 beside it.
+// Casters at one of four gaps below the light, in its height, up to 3 beside it.
 struct NearTheLight {
+    static constexpr std::array<double, 4> kGaps{1.0, 0.1, 0.01, 0.001};
+    static constexpr int kCasters = 2048;  // for each gap
     Rows planes, lights, casters;
 
-    explicit NearTheLight(double gap) {
-        Dice dice{std::mt19937(55)};
-        for (int i = 0; i < 4096; ++i) {
-            const dvec4 plane(vec4(vec3(dice.direction()), float(dice(-3, 3))));
-            const dvec3 n(plane);
-            const auto beside = [&](double distance) {
-                return distance * glm::normalize(glm::cross(n, dice.direction()));
-            };
-            const double height = dice(2, 9);
-            const dvec3 light(vec3((height - plane.w) * n + beside(dice(0, 3))));
-            planes.emplace_back(plane), lights.emplace_back(light, 1);
-            casters.emplace_back(light - gap * height * n + beside(dice(0.5, 3)), 1);
+    NearTheLight() {
+        for (const double gap : kGaps) {
+            Dice dice{std::mt19937(55)};
+            for (int i = 0; i < kCasters; ++i) add(dice, gap);
         }
     }
-    // Largest and root mean square of |p - exact p| over the length of the ray.
-    dvec2 error(const char* expression) const {
+    void add(Dice& dice, double gap) {
+        const dvec4 plane(vec4(vec3(dice.direction()), float(dice(-3, 3))));
+        const dvec3 n(plane);
+        const auto beside = [&](double distance) {
+            return distance * glm::normalize(glm::cross(n, dice.direction()));
+        };
+        const double height = dice(2, 9);
+        const dvec3 light(vec3((height - plane.w) * n + beside(dice(0, 3))));
+        planes.emplace_back(plane), lights.emplace_back(light, 1);
+        casters.emplace_back(light - gap * height * n + beside(dice(0.5, 3)), 1);
+    }
+    // By gap: largest and root mean square of |p - exact p| over the length of the ray.
+    std::array<dvec2, 4> errors(const char* expression) const {
         const Rows rows = evaluate({.chunk = "ray_form.glsl",
                                     .expression = expression,
                                     .inputs = {{"a", planes}, {"b", lights}, {"c", casters}}});
-        double largest = 0, squares = 0;
+        std::array<dvec2, 4> result{};
         for (std::size_t i = 0; i < rows.size(); ++i) {
+            dvec2& of = result[i / kCasters];
             const dvec4 exact = flattened(planes[i], lights[i], vec3(casters[i]));
             const dvec3 p = dvec3(exact) / exact.w, mine = dvec3(vec3(rows[i])) / double(rows[i].w);
             const double e = glm::distance(mine, p) / glm::distance(dvec3(vec3(lights[i])), p);
-            if (!(e <= largest)) largest = e;  // NaN, too
-            squares += e * e / double(rows.size());
+            if (!(e <= of.x)) of.x = e;  // NaN, too
+            of.y += e * e;
         }
-        return {largest, std::sqrt(squares)};
+        for (dvec2& of : result) of.y = std::sqrt(of.y / kCasters);
+        return result;
     }
 };
 
 TEST(Task5RayForm, StaysAccurateAsTheCasterNearsTheLightsHeight) {
-    const std::array<dvec2, 4> gapsAndErrors{
-        {{1.0, 5e-7}, {0.1, 2e-6}, {0.01, 2e-5}, {0.001, 2e-4}}};
-    for (const dvec2 row : gapsAndErrors) {
-        const NearTheLight in(row.x);
-        const dvec2 ray = in.error("flattenAlongRay(a, b, c.xyz)");
-        const dvec2 matrix = in.error("(dot(a, b) * mat4(1.0) - outerProduct(b, a)) * c");
-        const std::string gap = fmt::format("caster {} of the light's height below it: ", row.x);
-        EXPECT_VALUE(ray.x, LessOrEqual, 2 * row.y,
+    const NearTheLight in;
+    const auto rays = in.errors("flattenAlongRay(a, b, c.xyz)");
+    const auto matrices = in.errors("(dot(a, b) * mat4(1.0) - outerProduct(b, a)) * c");
+    const std::array<double, 4> bounds{5e-7, 2e-6, 2e-5, 2e-4};
+    for (std::size_t i = 0; i < bounds.size(); ++i) {
+        const dvec2 ray = rays[i], matrix = matrices[i];
+        const std::string gap =
+            fmt::format("caster {} of the light's height below it: ", NearTheLight::kGaps[i]);
+        EXPECT_VALUE(ray.x, LessOrEqual, 2 * bounds[i],
                      gap +
                          "a few roundings of 6e-8 in n·(l - v), which shrinks with the gap; twice "
                          "what was measured for other planes and lights");
-        if (row.x < 1)
+        if (i > 0)
             EXPECT_VALUE(matrix.y / ray.y, GreaterOrEqual, 4,
                          gap + fmt::format("the matrix form's errors, {:.1e} on average and {:.1e} "
                                            "at most, are 7 to 10 times as large: it subtracts what "
@@ -699,17 +703,16 @@ void expectTextureLikeRays(const Scene& scene, const std::string& file, const Se
                            double share, const std::string& cause) {
     constexpr int kTexels = 1024;
     const Light& light = scene.lights[0];
-    const RayTracer tracer(scene);
-    const Receivers receivers = tracer.receivers(scene.camera, {kSize, kSize});
+    const TracedScene traced(scene, {kSize, kSize});
     const Rendered frame =
         render({.scene = file,
                 .size = {kSize, kSize},
                 .settings = settings,
                 .images = {"visibility", "receiver", {"texture_clip_from_world", {4, 4}}}});
     const glm::mat4 clip = withDepth(matrixFrom(frame.at("texture_clip_from_world")), light);
-    Image mask = edgeBand(tracer, receivers, light, clip, kTexels, 1.5f);
+    Image mask = traced.edgeBand(clip, kTexels, 1.5f);
     for (float& v : mask.pixels) v = 1.0f - v;
-    EXPECT_IMAGE_NEAR(frame.at("visibility"), pointVisibility(tracer, receivers, light),
+    EXPECT_IMAGE_NEAR(frame.at("visibility"), traced.pointVisibility(),
                       {.outliers = share, .outlierDistance = 0.01, .cause = cause},
                       onReceiver(mask, frame.at("receiver")));
 }

@@ -74,8 +74,7 @@ TEST(Task7SeveralLights, PicturesOfSingleLightsAddUp) {
     const std::vector<Light> lights = threeLights();
     const Image all = pictureOf(yard(lights));
     const Image turned = pictureOf(yard({lights[2], lights[0], lights[1]}));
-    const Receivers receivers =
-        RayTracer(yard(lights)).receivers(yard(lights).camera, {kSize, kSize});
+    const Receivers receivers = TracedScene(yard(lights), {kSize, kSize}).receivers();
     Image sum(kSize, kSize, 3, -2 * 0.22f * 0.5f);  // ambient light, once instead of three times
     for (const Light& light : lights) {
         const Image one = pictureOf(yard({light}));
@@ -182,8 +181,7 @@ TEST(Task8WholeShadow, BothMethodsCountAlike) {
                            .images = {"stencil_count"}})
                 .at("stencil_count");
         };
-        const Scene loaded = loadScene(scene);
-        const Receivers receivers = RayTracer(loaded).receivers(loaded.camera, {kSize, kSize});
+        const Receivers receivers = TracedScene(loadScene(scene), {kSize, kSize}).receivers();
         const Image before = counts("method=zpass");
         EXPECT_IMAGE_NEAR(before, counts("method=zfail"),
                           {.maximum = 0,

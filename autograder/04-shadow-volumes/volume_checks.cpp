@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <map>
 
-#include "truth/visibility.h"
-#include "truth/volume_count.h"
-
 namespace penumbra {
 
 // --- Scenes ---
@@ -182,9 +179,7 @@ const VolumeCount& countsOf(const std::string& name) {
     static std::map<std::string, VolumeCount> known;
     const auto found = known.find(name);
     if (found != known.end()) return found->second;
-    const Scene scene = loadScene(name);
-    const Receivers receivers = RayTracer(scene).receivers(scene.camera, {kCountSize, kCountSize});
-    return known[name] = volumeCount(scene, scene.camera, receivers, scene.lights[0]);
+    return known[name] = TracedScene(loadScene(name), {kCountSize, kCountSize}).volumeCount();
 }
 
 }  // namespace
@@ -234,10 +229,10 @@ bool sameSurface(const Receivers& r, std::size_t i, std::size_t k) {
 }  // namespace
 
 RayPicture::RayPicture(const Scene& scene, glm::ivec2 size) : interior(size.x, size.y, 1, 1.0f) {
-    const RayTracer tracer(scene);
-    receivers = tracer.receivers(scene.camera, size);
-    for (const Light& light : scene.lights)
-        visibility.push_back(pointVisibility(tracer, receivers, light));
+    const TracedScene traced(scene, size);
+    receivers = traced.receivers();
+    for (std::size_t light = 0; light < scene.lights.size(); ++light)
+        visibility.push_back(traced.pointVisibility(light));
     const auto index = [&](int x, int y) {
         return std::size_t(y) * std::size_t(size.x) + std::size_t(x);
     };

@@ -9,11 +9,11 @@
 #include <random>
 
 #include "core/checks.h"
+#include "core/truths.h"
 #include "scene/gallery.h"
 #include "scene/mesh_edges.h"
 #include "scene/orientation.h"
 #include "scene/shapes.h"
-#include "truth/ray_tracer.h"
 
 namespace penumbra {
 

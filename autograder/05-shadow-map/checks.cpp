@@ -5,9 +5,9 @@
 
 #include "core/checks.h"
 #include "core/metrics.h"
+#include "core/truths.h"
 #include "scene/gallery.h"
 #include "scene/shapes.h"
-#include "truth/visibility.h"
 
 namespace penumbra {
 namespace {
@@ -57,23 +57,14 @@ Frustum frustumOf(const glm::dmat4& lightClipFromWorld, const Light& light) {
             (p[2][1] + 1) / p[1][1], p[3][2] / (p[2][2] - 1), p[3][2] / (p[2][2] + 1)};
 }
 
-struct Truth {
-    explicit Truth(const Scene& scene, glm::ivec2 size)
-        : light(scene.lights[0]), tracer(scene), receivers(tracer.receivers(scene.camera, size)) {}
-    Image visibility() const { return pointVisibility(tracer, receivers, light); }
-
-    // 1 where the map can be held to the rays pixel by pixel: farther than `texels` from a shadow's
-    // edge.
-    Image interior(const glm::mat4& lightClipFromWorld, int mapSize, float texels) const {
-        Image mask = edgeBand(tracer, receivers, light, lightClipFromWorld, mapSize, texels);
-        for (float& v : mask.pixels) v = 1.0f - v;
-        return mask;
-    }
-
-    Light light;
-    RayTracer tracer;
-    Receivers receivers;
-};
+// 1 where the map can be held to the rays pixel by pixel: farther than `texels` from a shadow's
+// edge.
+Image interior(const TracedScene& truth, const Image& lightClipFromWorld, int mapSize,
+               float texels) {
+    Image mask = truth.edgeBand(glm::mat4(matrixFrom(lightClipFromWorld)), mapSize, texels);
+    for (float& v : mask.pixels) v = 1.0f - v;
+    return mask;
+}
 
 const ImageRequest kMatrix{"light_clip_from_world", {4, 4}};
 constexpr glm::ivec2 kSmall{256, 256};
@@ -127,13 +118,13 @@ Frustum fittedFrustum(const Scene& scene) {
 
 TEST(Task1LightFrustum, HoldsEveryReceiverThatTheCameraSees) {
     for (const char* name : {"boxes@2", "fence@3", "stairs@2"}) {
-        const Truth truth(loadScene(name), kSmall);
+        const Receivers receivers = TracedScene(loadScene(name), kSmall).receivers();
         const Rendered frame = render({.scene = name, .size = kSmall, .images = {kMatrix}});
         const glm::dmat4 m = matrixFrom(frame.at("light_clip_from_world"));
         int outside = 0;
-        for (std::size_t i = 0; i < truth.receivers.positions.size(); ++i) {
-            if (!truth.receivers.hit[i]) continue;
-            const dvec4 clip = m * dvec4(truth.receivers.positions[i], 1.0);
+        for (std::size_t i = 0; i < receivers.positions.size(); ++i) {
+            if (!receivers.hit[i]) continue;
+            const dvec4 clip = m * dvec4(receivers.positions[i], 1.0);
             const double room =
                 1.0001 * clip.w;  // a receiver on a side of the window, rounded in float32
             outside +=
@@ -164,13 +155,13 @@ TEST(Task1LightFrustum, TouchesItsReceiversOnAllFourSides) {
 TEST(Task1LightFrustum, LeavesOutWhatIsBehindTheLight) {
     const Scene scene = lowLight();
     const Frustum fitted = fittedFrustum(scene);
-    const Truth truth(scene, kSmall);
+    const Receivers receivers = TracedScene(scene, kSmall).receivers();
     int outside = 0;
-    for (std::size_t i = 0; i < truth.receivers.positions.size(); ++i) {
-        const dvec3 p = dvec3(glm::dmat4(scene.lights[0].viewFromWorld()) *
-                              dvec4(truth.receivers.positions[i], 1.0));
+    for (std::size_t i = 0; i < receivers.positions.size(); ++i) {
+        const dvec3 p =
+            dvec3(glm::dmat4(scene.lights[0].viewFromWorld()) * dvec4(receivers.positions[i], 1.0));
         const double x = p.x / -p.z, y = p.y / -p.z, room = 1e-3;
-        if (!truth.receivers.hit[i] || p.z >= -1e-3 || std::max(std::abs(x), std::abs(y)) > 5.99)
+        if (!receivers.hit[i] || p.z >= -1e-3 || std::max(std::abs(x), std::abs(y)) > 5.99)
             continue;
         outside += x < fitted.left - room || x > fitted.right + room || y < fitted.bottom - room ||
                    y > fitted.top + room;
@@ -248,13 +239,13 @@ TEST(Task2ShadowCoordinates, UvAndDepthRunFromZeroToOne) {
 }
 
 TEST(Task2ShadowCoordinates, MapHoldsTheDepthsThatRaysFind) {
-    const Scene scene = loadScene("boxes@3");
     const Rendered frame = render({.scene = "boxes@3",
                                    .size = kSmall,
                                    .settings = {"map_size=256", "fit_window=off", "fit_depth=off"},
                                    .images = {kMatrix, {"shadow_map", {256, 256}}}});
-    const Image truth = RayTracer(scene).depth(
-        glm::mat4(matrixFrom(frame.at("light_clip_from_world"))), {256, 256});
+    const Image truth =
+        TracedScene(loadScene("boxes@3"), kSmall)
+            .depth(glm::mat4(matrixFrom(frame.at("light_clip_from_world"))), {256, 256});
     EXPECT_IMAGE_NEAR(
         frame.at("shadow_map"), truth,
         {.outliers = 0.002,
@@ -461,10 +452,10 @@ double darkShare(const Image& visibility, const Image& truth) {
 TEST(Task4DepthBias, NoAcneOnAPlaneFrom10To89Degrees) {
     // A map that holds nothing shows no acne either. That is no merit.
     const Scene wall = thinWall();
-    const Truth truth(wall, kSmall);
     const Rendered shadow =
         render({.scene = sceneFile(wall), .size = kSmall, .settings = {"map_size=512"}});
-    EXPECT_VALUE(darkShare(shadow.at("visibility"), truth.visibility()), GreaterOrEqual, 0.9,
+    const Image truth = TracedScene(wall, kSmall).pointVisibility();
+    EXPECT_VALUE(darkShare(shadow.at("visibility"), truth), GreaterOrEqual, 0.9,
                  "a thin wall's umbra is dark, but for the texel along its edge");
     for (const char* scene : {"tilted@10", "tilted@45", "tilted@75", "tilted@89"})
         expectNoAcne(scene, {"map_size=512"},
@@ -481,7 +472,7 @@ TEST(Task4DepthBias, NoAcneOnAPlaneFrom10To89Degrees) {
 
 TEST(Task4DepthBias, ContactShadowStartsWithinOneAndAHalfTexels) {
     const Scene scene = thinWall();
-    const Truth truth(scene, kSmall);
+    const TracedScene truth(scene, kSmall);
     for (const std::vector<std::string>& settings :
          {std::vector<std::string>{"map_size=512"},
           std::vector<std::string>{"map_size=512", "filter=off", "receiver_plane=off",
@@ -490,9 +481,8 @@ TEST(Task4DepthBias, ContactShadowStartsWithinOneAndAHalfTexels) {
                                        .size = kSmall,
                                        .settings = settings,
                                        .images = {"visibility", kMatrix}});
-        const Image rays = truth.visibility();
-        Image umbra =
-            truth.interior(glm::mat4(matrixFrom(frame.at("light_clip_from_world"))), 512, 1.5f);
+        const Image rays = truth.pointVisibility();
+        Image umbra = interior(truth, frame.at("light_clip_from_world"), 512, 1.5f);
         for (std::size_t i = 0; i < umbra.pixels.size(); ++i)
             if (rays.pixels[i] > 0) umbra.pixels[i] = 0;
         EXPECT_IMAGE_NEAR(
@@ -552,16 +542,16 @@ TEST(Task5OutsideMap, InsideAndPastTheFarPlaneTheMapIsAsked) {
 
 TEST(Task5OutsideMap, NoMirroredShadowBehindTheLight) {
     const Scene scene = lowLight();
-    const Truth truth(scene, kSmall);
+    const Light& light = scene.lights[0];
+    const TracedScene truth(scene, kSmall);
+    const Receivers& receivers = truth.receivers();
     const Rendered frame = render({.scene = sceneFile(scene), .size = kSmall});
     Image behind(kSmall.x, kSmall.y, 1);
-    for (std::size_t i = 0; i < behind.pixels.size(); ++i) {
-        const vec3 toReceiver = truth.receivers.positions[i] - truth.light.center;
-        behind.pixels[i] =
-            truth.receivers.hit[i] && glm::dot(toReceiver, truth.light.forward()) < -0.05f;
-    }
+    for (std::size_t i = 0; i < behind.pixels.size(); ++i)
+        behind.pixels[i] = receivers.hit[i] && glm::dot(receivers.positions[i] - light.center,
+                                                        light.forward()) < -0.05f;
     EXPECT_IMAGE_NEAR(
-        frame.at("visibility"), truth.visibility(),
+        frame.at("visibility"), truth.pointVisibility(),
         {.maximum = 0, .cause = "every receiver at least 0.05 behind the light's plane is dark"},
         behind);
 }
@@ -598,16 +588,16 @@ TEST(Task6SecondDepth, ThresholdIsMidway) {
 }
 
 TEST(Task6SecondDepth, NoBiasIsNeededForClosedBlockers) {
-    const Truth truth(loadScene("stairs@2"), kSmall);
+    const TracedScene truth(loadScene("stairs@2"), kSmall);
     for (const char* format : {"depth_format=32f", "depth_format=16"}) {
         const Rendered frame =
             render({.scene = "stairs@2",
                     .size = kSmall,
                     .settings = {"second_depth=on", "receiver_plane=off", "filter=off", format},
                     .images = {"visibility", kMatrix}});
-        const Image inside =
-            truth.interior(glm::mat4(matrixFrom(frame.at("light_clip_from_world"))), 1024, 2.0f);
-        const Metrics m = compareVisibility(frame.at("visibility"), truth.visibility(), &inside);
+        const Image inside = interior(truth, frame.at("light_clip_from_world"), 1024, 2.0f);
+        const Metrics m =
+            compareVisibility(frame.at("visibility"), truth.pointVisibility(), &inside);
         EXPECT_VALUE(m.falseShadowRate, LessOrEqual, 0.001,
                      std::string(format) +
                          ": the threshold lies inside the blocker; only edges thinner than a texel "
@@ -623,16 +613,15 @@ TEST(Task6SecondDepth, NoBiasIsNeededForClosedBlockers) {
 // same light.
 void compareWithRays(const std::string& scene, double bound, double share) {
     constexpr glm::ivec2 kSize{512, 512};
-    const Truth truth(loadScene(scene), kSize);
+    const TracedScene truth(loadScene(scene), kSize);
     const Rendered frame =
         render({.scene = scene, .size = kSize, .images = {"visibility", kMatrix}});
-    const Image rays = truth.visibility();
+    const Image rays = truth.pointVisibility();
     const double rmse = compareVisibility(frame.at("visibility"), rays).rmse;
     EXPECT_VALUE(
         rmse, LessOrEqual, bound,
         scene + ": one texel along every shadow's edge, at the resolution of a window that fits");
-    const Image inside =
-        truth.interior(glm::mat4(matrixFrom(frame.at("light_clip_from_world"))), 1024, 1.5f);
+    const Image inside = interior(truth, frame.at("light_clip_from_world"), 1024, 1.5f);
     EXPECT_IMAGE_NEAR(frame.at("visibility"), rays,
                       {.outliers = share,
                        .outlierDistance = 0.5,

@@ -6,10 +6,10 @@
 
 #include "core/checks.h"
 #include "core/metrics.h"
+#include "core/truths.h"
 #include "scene/gallery.h"
 #include "scene/shapes.h"
 #include "truth/closed_form.h"
-#include "truth/visibility.h"
 
 namespace penumbra {
 namespace {
@@ -202,8 +202,7 @@ TEST(Task2ReceiverPlane, TheHorizonCutsTheLight) {
 
 // A plane that nothing blocks: what it sees of the light is what is above its horizon.
 void expectHorizonOnly(const Scene& scene, const std::vector<std::string>& settings) {
-    const RayTracer tracer(scene);
-    const Receivers receivers = tracer.receivers(scene.camera, kSmall);
+    const Receivers receivers = TracedScene(scene, kSmall).receivers();
     Image truth(kSmall.x, kSmall.y, 1, 1.0f);
     for (std::size_t i = 0; i < truth.pixels.size(); ++i)
         if (receivers.hit[i])
@@ -365,9 +364,7 @@ TEST(Task4BlockerSearch, OnlyBlockersEnterTheMean) {
 // rmse of `halfplane` against its formula, over receivers on the ground.
 double halfPlaneError(int searchSamples, int filterSamples,
                       std::vector<std::string> settings = {}) {
-    const Scene scene = loadScene("halfplane");
-    const RayTracer tracer(scene);
-    const Receivers receivers = tracer.receivers(scene.camera, kSmall);
+    const Receivers receivers = TracedScene(loadScene("halfplane"), kSmall).receivers();
     settings.push_back("search_samples=" + std::to_string(searchSamples));
     settings.push_back("filter_samples=" + std::to_string(filterSamples));
     const Rendered frame = render({.scene = "halfplane", .size = kSmall, .settings = settings});
@@ -433,10 +430,7 @@ TEST(Task5Pcss, ScalingTheWorldChangesNothing) {
 }
 
 TEST(Task5Pcss, ATinyLightCastsAHardShadowAndAHugeOneStaysFinite) {
-    const Scene scene = loadScene("boxes@4");
-    const RayTracer tracer(scene);
-    const Image hard =
-        pointVisibility(tracer, tracer.receivers(scene.camera, kSmall), scene.lights[0]);
+    const Image hard = TracedScene(loadScene("boxes@4"), kSmall).pointVisibility();
     const Rendered tiny =
         render({.scene = "boxes@4", .size = kSmall, .settings = {"light_size=0.001"}});
     EXPECT_VALUE(compareVisibility(tiny.at("visibility"), hard).rmse, LessOrEqual, 0.04,
@@ -569,10 +563,7 @@ TEST(Task7Kernels, TheDiskKeepsAreasAndAxes) {
 
 void compareWithRays(const std::string& name, glm::ivec2 size,
                      const std::vector<std::string>& settings, double bound, double leak) {
-    const Scene scene = loadScene(name);
-    const RayTracer tracer(scene);
-    const Image truth =
-        areaVisibility(tracer, tracer.receivers(scene.camera, size), scene.lights[0], 144);
+    const Image truth = TracedScene(loadScene(name), size).areaVisibility(144);
     const Rendered frame = render({.scene = name, .size = size, .settings = settings});
     const Metrics m = compareVisibility(frame.at("visibility"), truth);
     EXPECT_VALUE(m.rmse, LessOrEqual, bound,

@@ -178,7 +178,10 @@ GradeRecord gradeVariant(const Place& place, const Variant& variant, const Grade
                 toRun.push_back(task.name + "." + name);
     }
 
-    GradingSession session(variant.program);
+    GradingSession session(
+        variant.program,
+        {.truths = options.truthCache.empty() ? TruthCache() : TruthCache(options.truthCache),
+         .picturesOfPassed = options.picturesOfPassed});
     auto records = runChecks(toRun, session, options.showProgress);
     GradeRecord grade{.assignment = place.assignment,
                       .title = rubric.title,

@@ -16,7 +16,9 @@ namespace penumbra {
 struct GradeOptions {
     std::string
         only;  // "Task3*": checks whose name matches; a plain word matches anywhere; "" = all
-    bool showProgress = true;  // a line per check on stderr
+    bool showProgress = true;      // a line per check on stderr
+    bool picturesOfPassed = true;  // in the report; those of failed comparisons are always there
+    std::filesystem::path truthCache = {};  // folder (truth_cache.h); "" = none
 };
 
 // Every check that this program was compiled with, "Suite.Name".

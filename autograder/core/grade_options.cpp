@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <CLI/CLI.hpp>
+#include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "core/error.h"
 #include "core/grade.h"
@@ -16,7 +18,7 @@ namespace {
 
 struct Options {
     bool solution = false;
-    std::string mistake, submission, out, only;
+    std::string mistake, submission, out, only, truthCache, shaderCache, expectSame;
     bool expectMistake = false, expectNotStarted = false;
     bool handoutHashes = false, buildOnly = false;
 };
@@ -31,9 +33,18 @@ void declare(CLI::App& app, Options& o) {
     mistake->excludes(submission);
     app.add_option("--out", o.out, "folder for results.json, junit.xml, report.html");
     app.add_option("--only", o.only, "run checks that match: Task3*");
+    app.add_option("--truth-cache", o.truthCache,
+                   "keep truths in this folder for later runs; whoever can write there decides "
+                   "what is true");
+    app.add_option("--shader-cache", o.shaderCache,
+                   "keep compiled shaders in this folder for later runs; the programs under test "
+                   "write there");
     app.add_flag("--expect-mistake", o.expectMistake, "succeed if exactly the named checks fail")
         ->needs(mistake);
     app.add_flag("--expect-not-started", o.expectNotStarted, "succeed if no task has been started");
+    app.add_option("--expect-same", o.expectSame,
+                   "succeed if an earlier run's results.json in this folder has the same verdicts "
+                   "and numbers");
     app.add_flag("--handout-hashes", o.handoutHashes,
                  "print the handout's hashes; fail where rubric.json differs");
     app.add_flag("--build-only", o.buildOnly, "build a submission and print its program")
@@ -100,17 +111,42 @@ int expectNotStarted(const GradeRecord& grade) {
     return pointsOf(grade) == 0 ? 0 : 1;
 }
 
+// All but times and memory: names, points, verdicts, and every number that was measured.
+int compareWithEarlier(const std::string& folder, const std::string& out) {
+    const auto load = [](const std::string& of) {
+        std::ifstream stream(std::filesystem::path(of) / "results.json");
+        if (!stream) throw Error("no earlier results", of, "grade into that folder first");
+        return nlohmann::json::parse(stream);
+    };
+    const auto before = load(folder), now = load(out);
+    for (std::size_t i = 0; i < std::min(before["tests"].size(), now["tests"].size()); ++i)
+        if (before["tests"][i] != now["tests"][i])
+            fmt::print(stderr, "before: {}\nnow:    {}\n", before["tests"][i].dump(),
+                       now["tests"][i].dump());
+    return before["score"] == now["score"] && before["tests"] == now["tests"] ? 0 : 1;
+}
+
 int run(const Place& place, const Options& o) {
     if (o.handoutHashes) return printHashes(place);
     if (!o.buildOnly && o.out.empty())
         throw Error("no --out", "command line", "give a folder for the report");
     if (!o.buildOnly) prepareOut(o.out);
-    const Variant variant = chosen(place, o);
+    Variant variant = chosen(place, o);
     if (o.buildOnly) return buildOnly(variant);
-    const GradeRecord grade = gradeVariant(place, variant, {.only = o.only});
+    // The programs work in a folder of their own.
+    if (!o.shaderCache.empty()) {
+        std::filesystem::create_directories(o.shaderCache);
+        variant.program.shaderCache = std::filesystem::absolute(o.shaderCache);
+    }
+    const GradeRecord grade =
+        gradeVariant(place, variant,
+                     {.only = o.only,
+                      .picturesOfPassed = !o.expectMistake,  // a test's report is seldom read
+                      .truthCache = o.truthCache});
     writeReports(o.out, grade);
     printTable(grade, o.out);
     if (o.expectMistake) return compareWithMistake(place, o.mistake, grade);
+    if (!o.expectSame.empty()) return compareWithEarlier(o.expectSame, o.out);
     if (o.expectNotStarted) return expectNotStarted(grade);
     return exitCode(grade);
 }

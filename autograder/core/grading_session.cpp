@@ -34,7 +34,8 @@ std::string keyOf(const RenderRequest& request) {
 
 }  // namespace
 
-GradingSession::GradingSession(VariantProgram program) : program_(std::move(program)) {
+GradingSession::GradingSession(VariantProgram program, SessionOptions options)
+    : program_(std::move(program)), options_(std::move(options)) {
     EXPECTS(!currentSession);
     currentSession = this;
 }

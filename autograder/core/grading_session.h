@@ -13,6 +13,7 @@
 
 #include "core/record.h"
 #include "core/runner.h"
+#include "core/truth_cache.h"
 #include "scene/scene.h"
 
 namespace penumbra {
@@ -22,9 +23,14 @@ struct NoFrame : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+struct SessionOptions {
+    TruthCache truths = {};
+    bool picturesOfPassed = true;  // of comparisons that pass, too
+};
+
 class GradingSession {
 public:
-    explicit GradingSession(VariantProgram program);
+    explicit GradingSession(VariantProgram program, SessionOptions options = {});
     ~GradingSession();
     GradingSession(const GradingSession&) = delete;
     GradingSession& operator=(const GradingSession&) = delete;
@@ -43,6 +49,9 @@ public:
     // The path of a .glb that holds `scene`; equal scenes share a file, hence frames.
     std::string sceneFile(const Scene& scene);
 
+    const TruthCache& truths() const { return options_.truths; }  // checks ask truths.h
+    bool picturesOfPassed() const { return options_.picturesOfPassed; }
+
     int runs() const { return runs_; }
     std::size_t peakBytes() const { return peakBytes_; }
     const std::filesystem::path& scratch() const { return scratch_.path(); }
@@ -52,6 +61,7 @@ private:
     [[noreturn]] void fail(const std::string& reason, bool graderFault);
 
     VariantProgram program_;
+    SessionOptions options_;
     ScratchFolder scratch_;
     std::unordered_map<std::string, RunOutcome> frames_;
     std::deque<std::string> oldestFirst_;

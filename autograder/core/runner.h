@@ -24,6 +24,8 @@ struct VariantProgram {
     std::filesystem::path executable = {};
     std::vector<std::filesystem::path> layers = {};
     std::string broken = "";  // it could not be built: "does not compile: depth_bias.cpp:12: …"
+    // Where Mesa keeps compiled shaders for other runs; "" = in the scratch folder, for this one.
+    std::filesystem::path shaderCache = {};
 };
 
 // An image of the frame: a name is enough where it has the frame's size.

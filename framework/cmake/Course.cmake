@@ -124,18 +124,29 @@ function(course_add_grader name)
     return()  # a student's tree: the handout is being written, nothing to hold it against
   endif()
   set(out ${CMAKE_BINARY_DIR}/grades/${name})
+  # Mistakes share truths and compiled shaders; the solution is graded without, as students are.
+  set(caches --truth-cache ${CMAKE_BINARY_DIR}/grades/truths
+             --shader-cache ${CMAKE_BINARY_DIR}/grades/shaders)
   add_test(NAME ${name}.hashes COMMAND ${name}.grade --handout-hashes)
   add_test(NAME ${name}.solution COMMAND ${name}.grade --solution --out ${out}/solution)
+  add_test(NAME ${name}.cached COMMAND ${name}.grade --solution --out ${out}/cached ${caches}
+           --expect-same ${out}/solution)
+  set_tests_properties(${name}.solution PROPERTIES FIXTURES_SETUP ${name}.graded)
+  set_tests_properties(${name}.cached PROPERTIES FIXTURES_REQUIRED ${name}.graded)
   add_test(NAME ${name}.handout COMMAND ${name}.grade --expect-not-started --out ${out}/handout)
   # The solution handed in like a student's work: where it holds C++, this builds it on its own.
   add_test(NAME ${name}.submission COMMAND ${name}.grade --out ${out}/submission
            --submission ${PROJECT_SOURCE_DIR}/solutions/${name})
-  set(all ${name}.hashes ${name}.solution ${name}.handout ${name}.submission)
+  # Long ones first, so that no core waits for the last: the solution's runs fill the caches.
+  set_tests_properties(${name}.solution ${name}.cached ${name}.submission PROPERTIES COST 100)
+  set(all ${name}.hashes ${name}.solution ${name}.cached ${name}.handout ${name}.submission)
   file(GLOB mistakes CONFIGURE_DEPENDS LIST_DIRECTORIES true ${grader}/wrong/*)
   foreach(mistake IN LISTS mistakes)
     get_filename_component(label ${mistake} NAME)
     add_test(NAME ${name}.wrong.${label}
-             COMMAND ${name}.grade --wrong ${label} --expect-mistake --out ${out}/wrong/${label})
+             COMMAND ${name}.grade --wrong ${label} --expect-mistake --out ${out}/wrong/${label}
+                     ${caches})
+    set_tests_properties(${name}.wrong.${label} PROPERTIES COST 10)
     list(APPEND all ${name}.wrong.${label})
   endforeach()
   set_tests_properties(${all} PROPERTIES TIMEOUT 300 LABELS grader ENVIRONMENT "LP_NUM_THREADS=1")

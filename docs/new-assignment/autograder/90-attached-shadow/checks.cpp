@@ -1,8 +1,8 @@
 // Truth: a formula for the function alone, rays for the picture. A lone convex solid casts no
 // shadow on itself: what is dark there is attached shadow.
 #include "core/checks.h"
+#include "core/truths.h"
 #include "scene/shapes.h"
-#include "truth/visibility.h"
 
 namespace penumbra {
 
@@ -28,9 +28,7 @@ TEST(Task1AttachedShadow, ALoneBoxIsDarkWhereItFacesAway) {
     scene.camera = {.eye = {4, 5, 6}, .target = {0, 1, 0}};
     scene.lights = {Light::lookingAt({-3, 6, 4}, {0, 1, 0}, 1.0f)};
     const glm::ivec2 size(256);
-    const RayTracer tracer(scene);
-    const Image truth =
-        pointVisibility(tracer, tracer.receivers(scene.camera, size), scene.lights[0]);
+    const Image truth = TracedScene(scene, size).pointVisibility();
     const Rendered frame = render({.scene = sceneFile(scene), .size = size});
     EXPECT_IMAGE_NEAR(frame.at("visibility"), truth,
                       {.outliers = 0.005,
