@@ -1,0 +1,3 @@
+#include "moment_soft.glsl"
+
+float filteredVisibility(Receiver receiver) { return momentVisibility(receiver); }

@@ -1,0 +1,3 @@
+#include "hamburger.glsl"
+
+Blockers blockersBefore(vec4 moments, float t) { return hamburgerBlockers(moments, t); }

@@ -1,0 +1,3 @@
+#include "hausdorff.glsl"
+
+Blockers blockersBefore(vec4 moments, float t) { return hausdorffBlockers(moments, t); }
