@@ -1,46 +1,18 @@
 #include "moment_shadow.glsl"
 
-// z and z² without what the lower powers tell of them: orthogonal polynomials q1 = z - mean, q2 = z² - E[z²] - slope q1.
-struct Regression {
-    float mean, square, slope;  // E[z], E[z²], cov(z, z²) / var(z)
-    float linear, quadratic;    // variances of q1 and q2
-};
-
-Regression regression(vec4 b) {
-    float variance = max(b.y - b.x * b.x, 1e-12), covariance = b.z - b.x * b.y;
-    float slope = covariance / variance;
-    return Regression(b.x, b.y, slope, variance, max(b.w - b.y * b.y - slope * covariance, 1e-12));
+// Task 3a · with a point at t, where do the other two lie?                                 README §3, [Peters and Klein 2015]
+//   b   moments of depths in [-1,1], biased
+//   t   a depth
+// There is one distribution of three points, one of them at t, that has the moments b. Returns the other two points, the
+// smaller first. They may lie outside [-1,1], and as far as ±10⁶; what would lie farther is put there. Finite for every
+// b with E[z²] ≥ E[z]², and for every t in [-1,1].
+vec2 otherDepths(vec4 b, float t) {
+    return vec2(-1.0, 1.0);  // yours
 }
 
-vec2 orthogonal(Regression r, float z) {
-    float q1 = z - r.mean;
-    return vec2(q1, z * z - r.square - r.slope * q1);
-}
-
-float weightAt(Regression r, float z) {
-    vec2 q = orthogonal(r, z);
-    return 1.0 / (1.0 + q.x * q.x / r.linear + q.y * q.y / r.quadratic);
-}
-
-vec2 otherRoots(Regression r, float t) {
-    vec2 q = orthogonal(r, t) / vec2(r.linear, r.quadratic);
-    float a = q.y, b = q.x - r.slope * a, c = 1.0 - r.mean * b - r.square * a;
-    float root = sqrt(max(b * b - 4.0 * a * c, 0.0));
-    float half_ = -0.5 * (b < 0.0 ? b - root : b + root);
-    float limit = 1e6;
-    float far = abs(half_) < limit * abs(a) ? half_ / a : (half_ < 0.0) == (a < 0.0) ? limit : -limit;
-    float near = abs(c) < limit * abs(half_) ? c / half_ : limit;
-    return vec2(min(far, near), max(far, near));
-}
-
-vec2 otherDepths(vec4 b, float t) { return otherRoots(regression(b), t); }
-
+// Task 3b · how much is nearer than t, at the least?                                       README §3, [Peters and Klein 2015]
+// Returns the weights of those points of 3a's distribution that are nearer than t, added up, in [0,1]: no distribution
+// with these moments has less before t. And their mean depth, in [-1,t]; 0 where the share is 0.
 Blockers hamburgerBlockers(vec4 b, float t) {
-    Regression r = regression(b);
-    vec2 z = otherRoots(r, t);
-    if (t <= z.x) return Blockers(0.0, 0.0);
-    if (t <= z.y) return Blockers(weightAt(r, z.x), clamp(z.x, -1.0, t));
-    float weight = weightAt(r, t);
-    float share = 1.0 - weight;
-    return Blockers(share, share > 0.0 ? clamp((b.x - weight * t) / share, -1.0, t) : 0.0);
+    return Blockers(0.0, 0.0);  // yours
 }

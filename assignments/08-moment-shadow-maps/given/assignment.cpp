@@ -1,4 +1,5 @@
-// Soft shadows of a square light from four moments of its shadow map. [Peters and Klein 2015, Peters et al. 2016]
+// Soft shadows of a square light from four moments of its shadow map. [Peters and Klein 2015,
+// Peters et al. 2016]
 //
 //   light      depth from the light's centre
 //   moments    each texel's depth as four moments
@@ -84,6 +85,11 @@ void MomentShadowMaps::settings(Settings& s) {
                .help = "filter=soft: blocker searches in a smaller window, after the first",
                .minimum = 0,
                .maximum = 4,
+               .value = 2});
+    s.integer({.name = "cells",
+               .help = "filter=soft: boxes along each side of the filter",
+               .minimum = 1,
+               .maximum = 8,
                .value = 1});
     s.choice({.name = "storage",
               .help = "of a moment: 32-bit float, 16 bits as you code them, 16 bits as it is",
@@ -176,15 +182,14 @@ void MomentShadowMaps::render(const View& view, Frame& frame) {
         pass();
     };
     timed("light", [&] { map_->render(view); });
-    timed("moments",
-          [&] { moments_.render(view.shaders, view.settings, *map_, gl_->screen); });
+    timed("moments", [&] { moments_.render(view.shaders, view.settings, *map_, gl_->screen); });
     timed("sums", [&] { moments_.sum(); });
     timed("surfaces", [&] { surfacePass(view); });
     if (frame.wants("color") || frame.wants("visibility"))
         timed("shadow", [&] {
-            screenPass(view.shaders.program("screen.vert", "shadow_pass.frag",
-                                            chunksFor(view.settings)),
-                       shaded_->framebuffer);
+            screenPass(
+                view.shaders.program("screen.vert", "shadow_pass.frag", chunksFor(view.settings)),
+                shaded_->framebuffer);
         });
     if (frame.wants("blocker_depth") || frame.wants("blocker_share") ||
         frame.wants("penumbra_width") || frame.wants("box_moments"))

@@ -1,4 +1,4 @@
 // receiver_plane=on
-#include "moment_soft.glsl"
+#include "receiver_plane.glsl"
 
 float comparedWith(Receiver receiver, float blockerDepth) { return comparedDepth(receiver, blockerDepth); }

@@ -1,3 +1,3 @@
-#include "moment_soft.glsl"
+#include "msm.glsl"
 
 float filteredVisibility(Receiver receiver) { return momentVisibility(receiver); }

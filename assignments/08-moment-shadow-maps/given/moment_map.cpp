@@ -27,8 +27,8 @@ float MomentMap::prepare(const Settings& settings, const AreaShadowMap& map) {
     if (resized || image_->texture.format() != format)
         image_ = std::make_unique<Image>(map.size(), format);
     if (resized || integers != integersPerUnit_)
-        table_ = std::make_unique<SummedAreaTable>(
-            SummedAreaTableDescription{.size = glm::ivec2(map.size()), .channels = 4, .integersPerUnit = integers});
+        table_ = std::make_unique<SummedAreaTable>(SummedAreaTableDescription{
+            .size = glm::ivec2(map.size()), .channels = 4, .integersPerUnit = integers});
     integersPerUnit_ = integers;
     return integers > 0 ? 1 / integers : 1;
 }

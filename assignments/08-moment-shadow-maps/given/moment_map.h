@@ -1,9 +1,8 @@
 // The moments of a shadow map, and their sums.
 //
-//   moments.prepare(settings, map);        // sizes; returns what an integer of the table stands for
-//   moments.render(shaders, settings, map, screen);
-//   moments.sum();
-//   program.texture("sums", 5, moments.sums());
+//   moments.prepare(settings, map);        // sizes; returns what an integer of the table stands
+//   for moments.render(shaders, settings, map, screen); moments.sum(); program.texture("sums", 5,
+//   moments.sums());
 #pragma once
 
 #include <memory>

@@ -6,6 +6,7 @@ MomentShadowBlock momentShadowBlock(const Settings& settings, int mapSize) {
     return {.filterWidthUv = glm::vec2(2 * settings["filter_radius"] / float(mapSize)),
             .momentBias = std::stof(settings.chosen("moment_bias")),
             .refinements = settings.index("refinements"),
+            .cells = settings.index("cells"),
             .unitsPerInteger = 1};
 }
 

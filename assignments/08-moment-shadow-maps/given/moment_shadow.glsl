@@ -7,8 +7,11 @@ layout(std140) uniform MomentShadow {
     vec2 filterWidthUv;     // filter=fixed: width of the box                                [uv]
     float momentBias;       // of biasedMoments()
     int refinements;        // of the search window
+    int cells;              // along each side of the filter's box
     float unitsPerInteger;  // prefilter=sat_cpu_integer: what 1 in the table stands for
 } soft;
+
+const float kLeastShare = 0.001;  // fewer blockers than that are none: what rounding and the moment bias leave
 
 // A point of a surface as the light's map sees it.
 struct Receiver {
@@ -29,6 +32,7 @@ struct Blockers {
 vec4 storedMoments(vec4 moments);                // storage: what the texture keeps
 vec4 momentsFromStored(vec4 stored);             // storage: back again
 vec4 meanStored(vec2 lowUv, vec2 highUv);        // prefilter: mean over a box inside the map that is not empty
+vec4 meanStoredAround(vec2 lowUv, vec2 highUv);  // the same over all texels that the box touches
 Blockers blockersBefore(vec4 moments, float t);  // method: of z nearer than t, all in [-1,1]
 float comparedWith(Receiver receiver, float blockerDepth);  // receiver_plane: comparedDepth(), or the constant bias
 float filteredVisibility(Receiver receiver);     // filter

@@ -12,12 +12,12 @@ namespace penumbra {
 struct MomentShadowBlock {  // moment_shadow.glsl
     glm::vec2 filterWidthUv;
     float momentBias;
-    int refinements;
+    int refinements, cells;
     float unitsPerInteger;
-    float padding[3] = {};
+    float padding[2] = {};
 };
 static_assert(offsetof(MomentShadowBlock, momentBias) == 8 &&
-              offsetof(MomentShadowBlock, unitsPerInteger) == 16);
+              offsetof(MomentShadowBlock, unitsPerInteger) == 20);
 
 MomentShadowBlock momentShadowBlock(const Settings& settings, int mapSize);
 

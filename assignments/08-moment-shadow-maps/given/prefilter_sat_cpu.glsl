@@ -10,3 +10,8 @@ vec4 meanStored(vec2 lowUv, vec2 highUv) {
     vec4 lower = textureLod(sums, at.zy, 0.0) - textureLod(sums, at.xy, 0.0);
     return (upper - lower) / (texels.x * texels.y);
 }
+
+vec4 meanStoredAround(vec2 lowUv, vec2 highUv) {
+    vec2 low = floor(lowUv / map.texelSizeUv), high = ceil(highUv / map.texelSizeUv);
+    return meanStored(low * map.texelSizeUv, high * map.texelSizeUv);
+}

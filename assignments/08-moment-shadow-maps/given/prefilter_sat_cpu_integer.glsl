@@ -1,37 +1,43 @@
 // Sums modulo 2^32: a difference is exact, however large the sums. So differences come first, fractions after. Along
-// one axis, with P(k) the sum over all texels below k, and a side at i + f, the linear P(i) + f (P(i + 1) - P(i)):
+// one axis, with P(k) the sum over all texels below k, and P(k + f) = P(k) + f (P(k + 1) - P(k)) between them:
 //
-//   from i0 + f0 to i1 + f1:   (1 - f1) (P(i1) - P(i0))  +  f1 (P(i1 + 1) - P(i0))  -  f0 (P(i0 + 1) - P(i0))
+//   from low + f to high + g:   (1 - g) (P(high) - P(low))  +  g (P(high + 1) - P(low))  -  f (P(low + 1) - P(low))
 //
-// and in two dimensions the product of two such lines: nine boxes, all with their lower corner at i0.
+// and in two dimensions the product of two such lines: nine boxes, each with its lower corner at `low`.
 #include "moment_shadow.glsl"
 
-uniform usampler2D sums;  // see render/summed_area_table.h
+uniform usampler2D sums;  // see render/summed_area_table.h: 0 beyond the border
 
-uvec4 sumBelow(ivec2 corner) {
-    ivec2 at = min(corner, textureSize(sums, 0)) - 1;
-    return min(at.x, at.y) < 0 ? uvec4(0u) : texelFetch(sums, at, 0);
+uvec4 sumBelow(float x, float y) { return textureLod(sums, (vec2(x, y) - 0.5) * map.texelSizeUv, 0.0); }
+
+struct Columns {
+    uvec4 low, lowNext, high, highNext;
+};
+
+Columns columnsBelow(vec2 x, float y) {
+    return Columns(sumBelow(x.x, y), sumBelow(x.x + 1.0, y), sumBelow(x.y, y), sumBelow(x.y + 1.0, y));
+}
+
+// Weighted sum over the row of boxes between two rows of corners.
+vec4 rowSum(Columns a, Columns b, vec3 weight) {
+    uvec4 left = b.low - a.low;
+    return weight.x * vec4(ivec4(b.lowNext - a.lowNext - left)) + weight.y * vec4(ivec4(b.high - a.high - left)) +
+           weight.z * vec4(ivec4(b.highNext - a.highNext - left));
 }
 
 vec4 meanStored(vec2 lowUv, vec2 highUv) {
-    vec2 lowTexels = lowUv / map.texelSizeUv, highTexels = highUv / map.texelSizeUv;
-    ivec2 low = ivec2(lowTexels), high = ivec2(highTexels);
-    vec2 lowPart = lowTexels - vec2(low), highPart = highTexels - vec2(high);
-    vec3 across = vec3(-lowPart.x, 1.0 - highPart.x, highPart.x);
-    vec3 along = vec3(-lowPart.y, 1.0 - highPart.y, highPart.y);
-    ivec4 columns = ivec4(low.x, low.x + 1, high.x, high.x + 1), rows = ivec4(low.y, low.y + 1, high.y, high.y + 1);
-    uvec4 first[4];
-    vec4 sum = vec4(0.0);
-    for (int j = 0; j < 4; ++j) {
-        uvec4 left = sumBelow(ivec2(columns[0], rows[j]));
-        vec4 row = vec4(0.0);
-        for (int i = 1; i < 4; ++i) {
-            uvec4 box = sumBelow(ivec2(columns[i], rows[j])) - left;
-            if (j == 0) first[i] = box;
-            else row += across[i - 1] * vec4(ivec4(box - first[i]));
-        }
-        if (j > 0) sum += along[j - 1] * row;
-    }
-    vec2 texels = highTexels - lowTexels;
-    return sum * (soft.unitsPerInteger / (texels.x * texels.y));
+    vec2 low = lowUv / map.texelSizeUv, high = highUv / map.texelSizeUv, f = fract(low), g = fract(high);
+    vec2 x = floor(vec2(low.x, high.x)), y = floor(vec2(low.y, high.y));
+    vec3 across = vec3(-f.x, 1.0 - g.x, g.x);
+    Columns first = columnsBelow(x, y.x);
+    vec4 sum = -f.y * rowSum(first, columnsBelow(x, y.x + 1.0), across);
+    sum += (1.0 - g.y) * rowSum(first, columnsBelow(x, y.y), across);
+    sum += g.y * rowSum(first, columnsBelow(x, y.y + 1.0), across);
+    return sum * (soft.unitsPerInteger / ((high.x - low.x) * (high.y - low.y)));
+}
+
+vec4 meanStoredAround(vec2 lowUv, vec2 highUv) {
+    vec2 low = floor(lowUv / map.texelSizeUv), high = ceil(highUv / map.texelSizeUv);
+    uvec4 sum = sumBelow(high.x, high.y) - sumBelow(low.x, high.y) - sumBelow(high.x, low.y) + sumBelow(low.x, low.y);
+    return vec4(ivec4(sum)) * (soft.unitsPerInteger / ((high.x - low.x) * (high.y - low.y)));
 }

@@ -16,3 +16,10 @@ vec4 meanMoments(vec4 box) {
     float inside = (high.x - low.x) * (high.y - low.y) / ((box.z - box.x) * (box.w - box.y));
     return inside > 0.0 ? mix(vec4(1.0), momentsFromStored(meanStored(low, high)), inside) : vec4(1.0);
 }
+
+// The same over whole texels: those that the box touches. Cheaper, for a search.
+vec4 meanMomentsAround(vec4 box) {
+    vec2 low = clamp(box.xy, 0.0, 1.0), high = clamp(box.zw, 0.0, 1.0);
+    float inside = (high.x - low.x) * (high.y - low.y) / ((box.z - box.x) * (box.w - box.y));
+    return inside > 0.0 ? mix(vec4(1.0), momentsFromStored(meanStoredAround(low, high)), inside) : vec4(1.0);
+}
