@@ -51,7 +51,7 @@ public:
     Receivers(const Scene& scene, const Light& light) {
         for (const Mesh& mesh : scene.meshes) {
             const MeshEdges edges = meshEdges(mesh);
-            const bool solid = closed(edges) && signedVolume(mesh) > 0.0;
+            const bool solid = facingTrianglesSuffice(mesh, edges, light.position());
             for (const glm::uvec3 t : mesh.triangles) {
                 if (solid && averted(planeOf(mesh, t), light)) continue;
                 for (const unsigned i : {t.x, t.y, t.z}) add(mesh.positions[i]);

@@ -45,6 +45,18 @@ TEST(PossibleBlockers, AreNotASlabOfGround) {
     EXPECT_EQ(names(possibleBlockers(scene, kLamp)), (Names{"ground", "box"}));
 }
 
+// The panel stands between the light and nothing but the room's wall.
+TEST(PossibleBlockers, InARoomAroundTheLightAreThoseBeforeItsWalls) {
+    for (const bool insideOut : {false, true}) {
+        Mesh room = named(box({-5, 0, -5}, {5, 8, 5}, 0), "room");
+        if (insideOut)
+            for (glm::uvec3& t : room.triangles) std::swap(t.y, t.z);
+        const Mesh panel = quad({-4, 1, -1}, {-4, 1, 1}, {-4, 3, 1}, {-4, 3, -1}, 0);
+        EXPECT_EQ(names(possibleBlockers(sceneOf({room, named(panel, "panel")}), kLamp)),
+                  Names{"panel"});
+    }
+}
+
 TEST(PossibleBlockers, AreTheGroundWhereSomethingLiesBelow) {
     const Scene scene = sceneOf(
         {named(ground(12, 1, 0), "ground"), named(box({-1, -0.5f, -1}, {1, 2, 1}, 0), "box")});
