@@ -1,0 +1,42 @@
+// A window of the map is cut into n x n cells. Each has a box of its own, and a part of the light.
+#include "variance_shadow.glsl"
+#include "box.glsl"
+
+struct Window {
+    vec2 low;    // corner [texels]
+    vec2 width;  // of a cell [texels]
+};
+
+Window windowAround(vec2 centerUv, vec2 widthUv, float inverse) {
+    return Window((centerUv - 0.5 * widthUv) / map.texelSizeUv, widthUv * inverse / map.texelSizeUv);
+}
+
+// Left of column i in row j.
+Side sideOf(Window window, int i, int j) {
+    vec2 low = window.low + vec2(i, j) * window.width, high = vec2(low.x, low.y + window.width.y);
+    return sideAt(clamp(low, vec2(0.0), 1.0 / map.texelSizeUv), clamp(high, vec2(0.0), 1.0 / map.texelSizeUv));
+}
+
+vec2 meanVarianceBetween(Window window, Side left, Side right) {
+    vec2 inside = (right.high - left.low) / window.width;
+    vec2 moments = withBorder(meanBetween(left, right), inside.x * inside.y, shadow.center);
+    return meanVariance(moments, shadow.center, shadow.minVariance);
+}
+
+// Middle of cell (i, j) in [-1/2, 1/2]², of a window and of the light alike. inverse = 1/n.
+vec2 cellMiddle(int i, int j, float inverse) { return (vec2(i, j) + 0.5) * inverse - 0.5; }
+
+// What is nearer than this, `offsetUv` beside the receiver, blocks: it lies over the receiver's plane, and nearer to the
+// light than the receiver.
+float blockedBelow(Receiver receiver, vec2 offsetUv) {
+    float slope = dot(receiver.lightHeight.yz / map.widthScaleUv, offsetUv) / receiver.lightHeight.x;
+    return receiver.uvDepth.z + min(slope, 0.0) - receiver.bias;
+}
+
+// Share of a cell of the light, n x n of which make the whole, that stands over the receiver's plane: along the steepest
+// slope the horizon sweeps over the cell.
+float shareAboveHorizon(Receiver receiver, vec2 middle, float inverse) {
+    vec2 slope = receiver.lightHeight.yz;
+    float reach = inverse * (abs(slope.x) + abs(slope.y));
+    return clamp(0.5 + (receiver.lightHeight.x + dot(slope, middle)) / max(reach, 1e-30), 0.0, 1.0);
+}
