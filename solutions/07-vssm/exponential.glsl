@@ -8,7 +8,7 @@ vec4 warpedMoments(float depth, float exponent) {
 }
 
 float esmLit(float meanWarped, float depth, float exponent) {
-    return clamp(meanWarped * exp(-exponent * depth), 0.0, 1.0);
+    return clamp(meanWarped / exp(exponent * depth), 0.0, 1.0);
 }
 
 float oneSide(vec2 moments, float warpedDepth, float exponent, float minVariance) {

@@ -1,20 +1,12 @@
 #include "windows.glsl"
 #include "filter.glsl"
 #include "chebyshev.glsl"
+#include "penumbra.glsl"
 
 struct Blockers {
     float share;
     float depth;
 };
-
-vec2 penumbraWidthUv(vec2 widthScaleUv, float receiverDepth, float blockerDepth) {
-    return widthScaleUv * max(receiverDepth - blockerDepth, 0.0);
-}
-
-float meanBlockerDepth(float depth, float mean, float lit) {
-    if (lit > 0.999) return depth;
-    return clamp((mean - lit * depth) / (1.0 - lit), 0.0, depth);
-}
 
 Blockers blockersInWindow(Receiver receiver, vec2 widthUv) {
     float inverse = 1.0 / float(shadow.searchCells), share = 0.0, sum = 0.0;

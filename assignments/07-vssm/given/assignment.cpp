@@ -107,7 +107,7 @@ void Vssm::settings(Settings& s) {
                .help = "the filter is cut into n x n boxes: n",
                .minimum = 1,
                .maximum = 4,
-               .value = 3});
+               .value = 2});
     s.integer({.name = "search_cells",
                .help = "the search for blockers likewise",
                .minimum = 1,
@@ -138,7 +138,7 @@ void Vssm::settings(Settings& s) {
               .unit = "texels",
               .minimum = 0.5,
               .maximum = 16,
-              .value = 3});
+              .value = 4});
     s.number({.name = "constant_bias",
               .help = "a blocker is nearer than the receiver by at least so much",
               .unit = "texels",

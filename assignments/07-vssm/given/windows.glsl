@@ -33,10 +33,15 @@ float blockedBelow(Receiver receiver, vec2 offsetUv) {
     return receiver.uvDepth.z + min(slope, 0.0) - receiver.bias;
 }
 
-// Share of a cell of the light, n x n of which make the whole, that stands over the receiver's plane: along the steepest
-// slope the horizon sweeps over the cell.
+// Share of a cell of the light, n x n of which make the whole, that stands over the receiver's plane. Over the cell the
+// height is a ramp; its positive part, integrated along both sides, is four squares.
 float shareAboveHorizon(Receiver receiver, vec2 middle, float inverse) {
-    vec2 slope = receiver.lightHeight.yz;
-    float reach = inverse * (abs(slope.x) + abs(slope.y));
-    return clamp(0.5 + (receiver.lightHeight.x + dot(slope, middle)) / max(reach, 1e-30), 0.0, 1.0);
+    float height = receiver.lightHeight.x + dot(receiver.lightHeight.yz, middle);
+    vec2 slope = inverse * abs(receiver.lightHeight.yz);
+    float reach = 0.5 * (slope.x + slope.y);
+    if (abs(height) >= reach) return height > 0.0 ? 1.0 : 0.0;
+    slope = max(slope, 1e-3 * max(slope.x, slope.y));
+    vec4 corners = vec4(slope.x + slope.y, slope.x - slope.y, slope.y - slope.x, -slope.x - slope.y);
+    vec4 above = max(height + 0.5 * corners, 0.0);
+    return clamp(dot(above * above, vec4(1.0, -1.0, -1.0, 1.0)) / (2.0 * slope.x * slope.y), 0.0, 1.0);
 }
