@@ -1,0 +1,116 @@
+#include "field_checks.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "truth/closed_form.h"
+#include "truth/ray_tracer.h"
+
+namespace penumbra {
+
+dvec3 Dice::direction() {
+    for (;;) {
+        const dvec3 p = point(-1, 1);
+        const double length = glm::length(p);
+        if (length > 0.1 && length <= 1) return p / length;
+    }
+}
+
+double RoundedBox::distance(dvec3 p) const {
+    const dvec3 beyond = glm::abs(p - center) - halfSize;
+    return glm::length(glm::max(beyond, 0.0)) +
+           std::min(std::max({beyond.x, beyond.y, beyond.z}), 0.0) - radius;
+}
+
+Closest closest(const RoundedBox& shape, dvec3 origin, dvec3 direction, double first,
+                double reach) {
+    const auto ratio = [&](double t) { return shape.distance(origin + t * direction) / t; };
+    constexpr int kSamples = 400;
+    const double step = (reach - first) / kSamples;
+    int least = 0;
+    for (int i = 1; i <= kSamples; ++i)
+        if (ratio(first + i * step) < ratio(first + least * step)) least = i;
+    double low = first + std::max(least - 1, 0) * step;
+    double high = first + std::min(least + 1, kSamples) * step;
+    const double golden = 0.5 * (std::sqrt(5.0) - 1);
+    while (high - low > 1e-9 * reach) {
+        const double part = golden * (high - low);
+        if (ratio(high - part) < ratio(low + part))
+            high = low + part;
+        else
+            low = high - part;
+    }
+    const double t = 0.5 * (low + high);
+    return {ratio(t), t};
+}
+
+namespace {
+
+constexpr double kHalfSlab = 4;  // across the edge it is so wide, along it twice
+
+dvec3 turned(dvec3 p, double radians) {
+    const double c = std::cos(radians), s = std::sin(radians);
+    return {c * p.x + s * p.z, p.y, c * p.z - s * p.x};
+}
+
+}  // namespace
+
+Light SlabStage::light() {
+    return Light::lookingAt({0, kLightHeight, 0}, {0, 0, 0}, float(kLightWidth));
+}
+
+Scene SlabStage::scene() const {
+    Scene scene;
+    scene.name = "slab";
+    scene.materials = {{.name = "grey"}};
+    Mesh slab = box({-kHalfSlab, kTop - thickness, -kHalfSlab}, {0.0f, kTop, kHalfSlab}, 0);
+    for (vec3& p : slab.positions) p = vec3(turned(p, turnRadians));
+    for (vec3& n : slab.normals) n = vec3(turned(n, turnRadians));
+    scene.meshes = {ground(8.0f, 1, 0), slab};
+    scene.lights = {light()};
+    scene.camera = {.eye = {0.5f, 2.4f, 3.2f},
+                    .target = {0.0f, 0.0f, 0.3f},
+                    .verticalFov = 0.8f,
+                    .nearPlane = 0.5f,
+                    .farPlane = 20.0f};
+    return scene;
+}
+
+std::vector<dvec3> SlabStage::face(double height) const {
+    std::vector<dvec3> corners{{-kHalfSlab, height, -kHalfSlab},
+                               {0, height, -kHalfSlab},
+                               {0, height, kHalfSlab},
+                               {-kHalfSlab, height, kHalfSlab}};
+    for (dvec3& p : corners) p = turned(p, turnRadians);
+    return corners;
+}
+
+RoundedBox SlabStage::shape() const {
+    return {{-0.5 * kHalfSlab, kTop - 0.5 * thickness, 0},
+            {0.5 * kHalfSlab, 0.5 * thickness, kHalfSlab}};
+}
+
+double SlabStage::visibility(dvec3 receiver) const {
+    return std::min(polygonVisibility(receiver, face(kTop), light()),
+                    polygonVisibility(receiver, face(kTop - thickness), light()));
+}
+
+GroundPixels::GroundPixels(const Scene& scene, glm::ivec2 size) : mask(size.x, size.y, 1) {
+    const Receivers receivers = RayTracer(scene).receivers(scene.camera, size);
+    for (std::size_t i = 0; i < receivers.positions.size(); ++i) {
+        positions.emplace_back(receivers.positions[i]);
+        mask.pixels[i] = receivers.hit[i] && receivers.positions[i].y < 1e-3f ? 1.0f : 0.0f;
+    }
+}
+
+double rmse(const Image& mine, const Image& truth, const Image& mask) {
+    double sum = 0, count = 0;
+    for (std::size_t i = 0; i < mask.pixels.size(); ++i) {
+        if (mask.pixels[i] == 0.0f) continue;
+        const double error = double(mine.pixels[i]) - double(truth.pixels[i]);
+        sum += error * error, count += 1;
+    }
+    return std::sqrt(sum / count);
+}
+
+}  // namespace penumbra
