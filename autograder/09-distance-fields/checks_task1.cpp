@@ -4,7 +4,6 @@
 
 #include "field_checks.h"
 #include "scene/mesh_edges.h"
-#include "truth/nearest_triangle.h"
 
 namespace penumbra {
 namespace {
@@ -74,13 +73,31 @@ TEST(Task1Distance, BeyondTheGridTheBoundIsTheLargestSoundOne) {
     EXPECT_ROWS_NEAR(distanceBeyond, truth, {.cause = "float32 products and sums of a few terms"});
 }
 
+double squaredToSegment(dvec3 p, dvec3 a, dvec3 b) {
+    const double along = glm::dot(p - a, b - a) / glm::dot(b - a, b - a);
+    const dvec3 offset = p - glm::mix(a, b, std::clamp(along, 0.0, 1.0));
+    return glm::dot(offset, offset);
+}
+
+double squaredToTriangle(dvec3 p, dvec3 a, dvec3 b, dvec3 c) {
+    const dvec3 n = glm::cross(b - a, c - a);
+    const auto inner = [&](dvec3 from, dvec3 to) {
+        return glm::dot(glm::cross(to - from, p - from), n) >= 0;
+    };
+    if (inner(a, b) && inner(b, c) && inner(c, a)) {
+        const double height = glm::dot(p - a, n);
+        return height * height / glm::dot(n, n);
+    }
+    return std::min({squaredToSegment(p, a, b), squaredToSegment(p, b, c), squaredToSegment(p, c, a)});
+}
+
 // Distance to all triangles one by one, negative inside: no tree, no grid, no cache.
 double distanceToAll(const std::vector<Mesh>& meshes, dvec3 p) {
     double nearest = INFINITY;
     bool inside = false;
     for (const Mesh& mesh : meshes) {
         for (const glm::uvec3 t : mesh.triangles)
-            nearest = std::min(nearest, squaredDistance(p, mesh.positions[t.x], mesh.positions[t.y],
+            nearest = std::min(nearest, squaredToTriangle(p, mesh.positions[t.x], mesh.positions[t.y],
                                                         mesh.positions[t.z]));
         inside = inside || windingNumber(mesh, vec3(p)) != 0;
     }

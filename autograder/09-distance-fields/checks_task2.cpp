@@ -57,8 +57,8 @@ const dvec3 kOrigin{1, -2, 3}, kOblique{0.48, 0.6, 0.64};
 struct March {
     RoundedBox shape;
     dvec3 direction = kOblique;  // z >= 0
-    double first, reach, highest, lowest, stepCap, smallest;
-    int maxSteps;
+    double first = 0, reach = 0, highest = 0, lowest = 0, stepCap = 0, smallest = 0;
+    int maxSteps = 0;
 };
 
 // (ratio, t, look-ups) of each.
@@ -134,10 +134,16 @@ TEST(Task2March, TheErrorFallsWithTheSquareOfTheStepCap) {
 
 // A ray along x over, or into, a box so wide that only one face counts: a plane.
 March overPlane(double height) {
-    return {.shape = {kOrigin - dvec3(0, height + 4, 0), dvec3(20, 4, 20)}, .direction = {1, 0, 0}};
+    March march;
+    march.shape = {kOrigin - dvec3(0, height + 4, 0), dvec3(20, 4, 20)};
+    march.direction = {1, 0, 0};
+    return march;
 }
 March intoPlane(double ahead) {
-    return {.shape = {kOrigin + dvec3(ahead + 8, 0, 0), dvec3(8, 20, 20)}, .direction = {1, 0, 0}};
+    March march;
+    march.shape = {kOrigin + dvec3(ahead + 8, 0, 0), dvec3(8, 20, 20)};
+    march.direction = {1, 0, 0};
+    return march;
 }
 
 // Along a plane the ratio falls to the ray's end, and every look-up is the least so far: steps are

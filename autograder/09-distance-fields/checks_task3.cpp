@@ -74,7 +74,7 @@ TEST(Task3Lecture, ASlabsShadowFollowsTheFormula) {
     const Scene scene = stage.scene();
     const Rendered frame = render({.scene = sceneFile(scene),
                                    .size = kSmall,
-                                   .settings = {"method=lecture", "grid=128", "step_cap=0.1"},
+                                   .settings = {"method=lecture", "grid=64", "step_cap=0.1"},
                                    .images = {"visibility", {"field", {2, 1}}}});
     const double cell = frame.at("field").at(0, 0, 3);
     const GroundPixels pixels(scene, kSmall);

@@ -34,7 +34,7 @@ double slabError(const SlabStage& stage, const SettingList& settings) {
 }
 
 TEST(Task5Signed, ASlabsPenumbraIsALinearRamp) {
-    EXPECT_VALUE(slabError({.thickness = 1}, {"method=signed", "grid=128"}), LessOrEqual, 0.02, "TBD");
+    EXPECT_VALUE(slabError({.thickness = 1}, {"method=signed", "grid=64"}), LessOrEqual, 0.02, "TBD");
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ TEST(Task6Edge, ALightPointIsHiddenBelowThePlaneOfReceiverAndEdge) {
         truth.emplace_back(over > 0 ? 1 : 0);
     }
     const Rows visible = evaluate(
-        {.chunk = "edge.glsl",
+        {.chunk = "analytic_gradient.glsl",
          .expression = "vec4(dot(edgePlane(a.w, a.xyz, b.xyz), c.xyz) > 0.0 ? 1.0 : 0.0)",
          .inputs = {{"a", directions}, {"b", gradients}, {"c", points}}});
     EXPECT_ROWS_NEAR(visible, truth, {.cause = "no light point is nearer to the plane than 0.01"});

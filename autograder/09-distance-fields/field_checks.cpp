@@ -46,7 +46,8 @@ Closest closest(const RoundedBox& shape, dvec3 origin, dvec3 direction, double f
 
 namespace {
 
-constexpr double kHalfSlab = 4;  // across the edge it is so wide, along it twice
+const vec3 kGridCenter{0, 4, 0}, kGridHalf{4.5f, 3.0f, 4.5f};
+constexpr float kHalfSlab = 4;  // across the edge it is so wide, along it twice
 
 dvec3 turned(dvec3 p, double radians) {
     const double c = std::cos(radians), s = std::sin(radians);
@@ -63,9 +64,15 @@ Scene SlabStage::scene() const {
     Scene scene;
     scene.name = "slab";
     scene.materials = {{.name = "grey"}};
-    Mesh slab = box({-kHalfSlab, kTop - thickness, -kHalfSlab}, {0.0f, kTop, kHalfSlab}, 0);
+    Mesh slab = box({-kHalfSlab, float(kTop - thickness), -kHalfSlab}, {0.0f, float(kTop), kHalfSlab}, 0);
     for (vec3& p : slab.positions) p = vec3(turned(p, turnRadians));
     for (vec3& n : slab.normals) n = vec3(turned(n, turnRadians));
+    // Crumbs at the corners of a larger box: all rays from pixels to light run inside the grid. Their
+    // shadows fall beside the ground.
+    for (int corner = 0; corner < 8; ++corner) {
+        const vec3 at = kGridCenter + kGridHalf * vec3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+        append(slab, box(at - 0.01f, at + 0.01f, 0));
+    }
     scene.meshes = {ground(8.0f, 1, 0), slab};
     scene.lights = {light()};
     scene.camera = {.eye = {0.5f, 2.4f, 3.2f},
