@@ -25,10 +25,11 @@ TEST(Task1Distance, SpheresAndBoxesAreExactInsideAndOut) {
                                      .expression = "vec4(sphereDistance(a.xyz, b.xyz, b.w), "
                                                    "boxDistance(a.xyz, b.xyz, c.xyz), 0.0, 0.0)",
                                      .inputs = {{"a", points}, {"b", centers}, {"c", sizes}}});
-    EXPECT_ROWS_NEAR(distances, truth,
-                     {.absolute = 4e-6,
-                      .components = 2,
-                      .cause = "differences of coordinates up to 5, rounded to 5e-7, and some sums"});
+    EXPECT_ROWS_NEAR(
+        distances, truth,
+        {.absolute = 4e-6,
+         .components = 2,
+         .cause = "differences of coordinates up to 5, rounded to 5e-7, and some sums"});
 }
 
 TEST(Task1Distance, TheBoxesCornersAreTheTexturesCorners) {
@@ -46,10 +47,11 @@ TEST(Task1Distance, TheBoxesCornersAreTheTexturesCorners) {
         evaluate({.chunk = "distance.glsl",
                   .expression = "vec4(fieldCoordinate(a.xyz, b.xyz, c.xyz), 0.0)",
                   .inputs = {{"a", points}, {"b", lowers}, {"c", uppers}}});
-    EXPECT_ROWS_NEAR(fieldCoordinate, truth,
-                     {.absolute = 8e-6,
-                      .components = 3,
-                      .cause = "coordinates up to 10 are rounded to 1e-6, and sizes are 0.5 and more"});
+    EXPECT_ROWS_NEAR(
+        fieldCoordinate, truth,
+        {.absolute = 8e-6,
+         .components = 3,
+         .cause = "coordinates up to 10 are rounded to 1e-6, and sizes are 0.5 and more"});
 }
 
 TEST(Task1Distance, BeyondTheGridTheBoundIsTheLargestSoundOne) {
@@ -88,7 +90,8 @@ double squaredToTriangle(dvec3 p, dvec3 a, dvec3 b, dvec3 c) {
         const double height = glm::dot(p - a, n);
         return height * height / glm::dot(n, n);
     }
-    return std::min({squaredToSegment(p, a, b), squaredToSegment(p, b, c), squaredToSegment(p, c, a)});
+    return std::min(
+        {squaredToSegment(p, a, b), squaredToSegment(p, b, c), squaredToSegment(p, c, a)});
 }
 
 // Distance to all triangles one by one, negative inside: no tree, no grid, no cache.
@@ -97,8 +100,9 @@ double distanceToAll(const std::vector<Mesh>& meshes, dvec3 p) {
     bool inside = false;
     for (const Mesh& mesh : meshes) {
         for (const glm::uvec3 t : mesh.triangles)
-            nearest = std::min(nearest, squaredToTriangle(p, mesh.positions[t.x], mesh.positions[t.y],
-                                                        mesh.positions[t.z]));
+            nearest =
+                std::min(nearest, squaredToTriangle(p, mesh.positions[t.x], mesh.positions[t.y],
+                                                    mesh.positions[t.z]));
         inside = inside || windingNumber(mesh, vec3(p)) != 0;
     }
     return (inside ? -1 : 1) * std::sqrt(nearest);
@@ -124,8 +128,7 @@ public:
         const double below = std::floor(row), part = row - below;
         for (int k = 0; k < depth_; ++k)
             for (int i = 0; i < width_; ++i) {
-                const dvec3 center =
-                    grid.lower + grid.cell * (dvec3(i, below, k) + 0.5);
+                const dvec3 center = grid.lower + grid.cell * (dvec3(i, below, k) + 0.5);
                 values_.push_back(std::lerp(distanceToAll(meshes, center),
                                             distanceToAll(meshes, center + dvec3(0, grid.cell, 0)),
                                             part));
@@ -152,9 +155,13 @@ Scene pieces() {
     scene.name = "pieces";
     scene.materials = {{.name = "grey"}};
     scene.meshes = {ground(8.0f, 1, 0), box({-1.6f, 0.4f, -0.8f}, {-0.2f, 1.5f, 0.9f}, 0),
-                    sphere({1.1f, 0.9f, 0.3f}, 0.6f, 6, 0), box({0.4f, 0.5f, 1.2f}, {0.7f, 1.3f, 1.4f}, 0)};
+                    sphere({1.1f, 0.9f, 0.3f}, 0.6f, 6, 0),
+                    box({0.4f, 0.5f, 1.2f}, {0.7f, 1.3f, 1.4f}, 0)};
     scene.lights = {Light::lookingAt({1.0f, 7.0f, 0.5f}, {0.0f, 0.0f, 0.0f}, 1.0f)};
-    scene.camera = {.eye = {0.0f, 3.0f, 6.0f}, .target = {0.0f, 0.5f, 0.0f}, .nearPlane = 1.0f, .farPlane = 20.0f};
+    scene.camera = {.eye = {0.0f, 3.0f, 6.0f},
+                    .target = {0.0f, 0.5f, 0.0f},
+                    .nearPlane = 1.0f,
+                    .farPlane = 20.0f};
     return scene;
 }
 
@@ -178,10 +185,11 @@ TEST(Task1Distance, ASliceShowsTheDistanceToEveryTriangle) {
             const double there = slice.at(q.x, q.y);
             truth.at(i, j) = float(p == q ? there : std::hypot(glm::length(p - q), there));
         }
-    EXPECT_IMAGE_NEAR(frame.at("distance"), truth,
-                      {.maximum = 1e-4,
-                       .cause = "the distance to each triangle at voxel centres, linear in between; "
-                                "float32 coordinates of a look-up: 1e-5 of a voxel"});
+    EXPECT_IMAGE_NEAR(
+        frame.at("distance"), truth,
+        {.maximum = 1e-4,
+         .cause = "the distance to each triangle at voxel centres, linear in between; "
+                  "float32 coordinates of a look-up: 1e-5 of a voxel"});
 }
 
 }  // namespace

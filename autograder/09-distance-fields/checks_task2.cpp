@@ -21,8 +21,9 @@ TEST(Task2March, RaysStartOverTheSurface) {
     const Rows rayStart = evaluate({.chunk = "analytic_march.glsl",
                                     .expression = "vec4(rayStart(a.xyz, b.xyz, b.w), 0.0)",
                                     .inputs = {{"a", positions}, {"b", normals}}});
-    EXPECT_ROWS_NEAR(rayStart, truth,
-                     {.absolute = 2e-6, .components = 3, .cause = "coordinates up to 5 in float32"});
+    EXPECT_ROWS_NEAR(
+        rayStart, truth,
+        {.absolute = 2e-6, .components = 3, .cause = "coordinates up to 5 in float32"});
 }
 
 // A distance of d at t leaves no place nearer than d - s after a step s: so the longest step that
@@ -47,8 +48,9 @@ TEST(Task2March, StepsAreSoundAndAsLongAsAllowed) {
     const Rows stepLength = evaluate({.chunk = "analytic_march.glsl",
                                       .expression = "vec4(stepLength(a.x, a.y, a.z, b.x, b.y))",
                                       .inputs = {{"a", places}, {"b", limits}}});
-    EXPECT_ROWS_NEAR(stepLength, truth,
-                     {.absolute = 2e-5, .cause = "a difference of two terms up to 3, over 0.1 and more"});
+    EXPECT_ROWS_NEAR(
+        stepLength, truth,
+        {.absolute = 2e-5, .cause = "a difference of two terms up to 3, over 0.1 and more"});
 }
 
 // Where all marches here start; most go along an oblique direction.
@@ -114,8 +116,8 @@ TEST(Task2March, ASphereIsMetAtItsClosedForm) {
                      {.absolute = 1e-3, .relative = 0, .cause = "T7 at step cap 0.05"});
 }
 
-// Around its least value, distance / t curves like 1 / (distance + radius) / t; a look-up is at most
-// half a step, cap · distance / 2, beside it: cap² / 8 of the ratio too much, at most.
+// Around its least value, distance / t curves like 1 / (distance + radius) / t; a look-up is at
+// most half a step, cap · distance / 2, beside it: cap² / 8 of the ratio too much, at most.
 TEST(Task2March, TheErrorFallsWithTheSquareOfTheStepCap) {
     const SphereMarches spheres(24, {0.5, 0.2, 0.05, 0.02});
     const Rows found = marched(spheres.marches);
@@ -167,12 +169,13 @@ TEST(Task2March, AlongAPlaneItLooksUpToTheEnd) {
         marches.push_back(march);
         truth.emplace_back(dvec4(height / last, last, lookUps, 0));
     }
-    EXPECT_ROWS_NEAR(marched(marches), truth,
-                     {.absolute = 1e-5,
-                      .relative = 2e-4,
-                      .components = 3,
-                      .cause = "heights of 0.05 and more are differences of coordinates up to 9, "
-                               "rounded to 1e-6; no row's last step ends within 0.02 of the light"});
+    EXPECT_ROWS_NEAR(
+        marched(marches), truth,
+        {.absolute = 1e-5,
+         .relative = 2e-4,
+         .components = 3,
+         .cause = "heights of 0.05 and more are differences of coordinates up to 9, "
+                  "rounded to 1e-6; no row's last step ends within 0.02 of the light"});
 }
 
 TEST(Task2March, ItEndsWhereNothingDarkerCanCome) {
@@ -231,7 +234,8 @@ TEST(Task2March, WhatLiesBehindTheLightBlocksNothing) {
         const double behind = i % 2 ? 1.05 : dice(2, 3);
         const double radius = dice(0.2, 1);
         marches.push_back(
-            {.shape = {kOrigin + (reach * (1 + 2 * highest) * behind + radius) * kOblique, dvec3(0), radius},
+            {.shape = {kOrigin + (reach * (1 + 2 * highest) * behind + radius) * kOblique, dvec3(0),
+                       radius},
              .first = 0.05,
              .reach = reach,
              .highest = highest,
@@ -241,8 +245,9 @@ TEST(Task2March, WhatLiesBehindTheLightBlocksNothing) {
              .maxSteps = 1000});
         truth.emplace_back(dvec4(highest, reach, 0, 0));
     }
-    EXPECT_ROWS_NEAR(marched(marches), truth,
-                     {.components = 2, .cause = "nothing is found: both are given back as they came"});
+    EXPECT_ROWS_NEAR(
+        marched(marches), truth,
+        {.components = 2, .cause = "nothing is found: both are given back as they came"});
 }
 
 }  // namespace

@@ -40,7 +40,9 @@ TEST(Task3Lecture, TheSafeAnglesTangentStaysFinite) {
     Dice dice(33);
     Rows ratios, truth;
     for (int i = 0; i < kRows; ++i) {
-        const double ratio = i < 4 ? dvec4(-1, 1, -3, 3)[i] : i % 2 ? dice(-0.99, 0.99) : dice(-1.2, 1.2);
+        const double ratio = i < 4   ? dvec4(-1, 1, -3, 3)[i]
+                             : i % 2 ? dice(-0.99, 0.99)
+                                     : dice(-1.2, 1.2);
         ratios.emplace_back(ratio);
         truth.emplace_back(std::tan(std::asin(std::clamp(double(float(ratio)), -0.9999, 0.9999))));
     }
@@ -80,6 +82,11 @@ TEST(Task3Lecture, ASlabsShadowFollowsTheFormula) {
     const GroundPixels pixels(scene, kSmall);
     EXPECT_IMAGE_NEAR(frame.at("visibility"), lectureTruth(stage, pixels, 0.25 * cell, 1.5),
                       {.mean = 0.01, .maximum = 0.1, .cause = "TBD"}, pixels.mask);
+}
+
+TEST(Task3Lecture, BoxesAreAsFarFromRaysAsTheFormIs) {
+    EXPECT_VALUE(errorAgainstRays("boxes@7", {"method=lecture"}), LessOrEqual, 0.060,
+                 "only the lit half of a penumbra is seen, and steeper than it is");
 }
 
 }  // namespace

@@ -30,11 +30,12 @@ TEST(Task4ClosestApproach, APostBetweenTwoLookUpsIsMetExactly) {
         const double step = dice(0.1, 2), back = dice(0.02, 0.98) * step, aside = dice(0.05, 1);
         looks.add(std::hypot(aside, step - back), std::hypot(aside, back), step, back, aside);
     }
-    EXPECT_ROWS_NEAR(closestApproach(looks.rows), looks.truth,
-                     {.absolute = 2e-5,
-                      .relative = 1e-4,
-                      .components = 2,
-                      .cause = "differences of squares up to 5, rounded to 5e-7, over 0.1 and more"});
+    EXPECT_ROWS_NEAR(
+        closestApproach(looks.rows), looks.truth,
+        {.absolute = 2e-5,
+         .relative = 1e-4,
+         .components = 2,
+         .cause = "differences of squares up to 5, rounded to 5e-7, over 0.1 and more"});
 }
 
 TEST(Task4ClosestApproach, WhereTheCirclesDoNotMeetBetweenOnlyTheLookUpCounts) {

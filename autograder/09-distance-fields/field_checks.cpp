@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/metrics.h"
 #include "truth/closed_form.h"
-#include "truth/ray_tracer.h"
 
 namespace penumbra {
 
@@ -64,13 +64,15 @@ Scene SlabStage::scene() const {
     Scene scene;
     scene.name = "slab";
     scene.materials = {{.name = "grey"}};
-    Mesh slab = box({-kHalfSlab, float(kTop - thickness), -kHalfSlab}, {0.0f, float(kTop), kHalfSlab}, 0);
+    Mesh slab =
+        box({-kHalfSlab, float(kTop - thickness), -kHalfSlab}, {0.0f, float(kTop), kHalfSlab}, 0);
     for (vec3& p : slab.positions) p = vec3(turned(p, turnRadians));
     for (vec3& n : slab.normals) n = vec3(turned(n, turnRadians));
-    // Crumbs at the corners of a larger box: all rays from pixels to light run inside the grid. Their
-    // shadows fall beside the ground.
+    // Crumbs at the corners of a larger box: all rays from pixels to light run inside the grid.
+    // Their shadows fall beside the ground.
     for (int corner = 0; corner < 8; ++corner) {
-        const vec3 at = kGridCenter + kGridHalf * vec3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+        const vec3 at = kGridCenter + kGridHalf * vec3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1,
+                                                       corner & 4 ? 1 : -1);
         append(slab, box(at - 0.01f, at + 0.01f, 0));
     }
     scene.meshes = {ground(8.0f, 1, 0), slab};
@@ -103,21 +105,27 @@ double SlabStage::visibility(dvec3 receiver) const {
 }
 
 GroundPixels::GroundPixels(const Scene& scene, glm::ivec2 size) : mask(size.x, size.y, 1) {
-    const Receivers receivers = RayTracer(scene).receivers(scene.camera, size);
+    const Receivers receivers = TracedScene(scene, size).receivers();
     for (std::size_t i = 0; i < receivers.positions.size(); ++i) {
         positions.emplace_back(receivers.positions[i]);
         mask.pixels[i] = receivers.hit[i] && receivers.positions[i].y < 1e-3f ? 1.0f : 0.0f;
     }
 }
 
-double rmse(const Image& mine, const Image& truth, const Image& mask) {
-    double sum = 0, count = 0;
-    for (std::size_t i = 0; i < mask.pixels.size(); ++i) {
-        if (mask.pixels[i] == 0.0f) continue;
-        const double error = double(mine.pixels[i]) - double(truth.pixels[i]);
-        sum += error * error, count += 1;
-    }
-    return std::sqrt(sum / count);
+double errorAgainstRays(const std::string& scene, const SettingList& settings) {
+    constexpr glm::ivec2 kSize{256, 256};
+    const Image truth = TracedScene(loadScene(scene), kSize).areaVisibility(144);
+    const Rendered frame = render({.scene = scene, .size = kSize, .settings = settings});
+    return compareVisibility(frame.at("visibility"), truth).rmse;
+}
+
+double errorUnderSlab(const SlabStage& stage, const SettingList& settings) {
+    const Scene scene = stage.scene();
+    const Rendered frame =
+        render({.scene = sceneFile(scene), .size = kSmall, .settings = settings});
+    const GroundPixels pixels(scene, kSmall);
+    const Image truth = pixels.image([&](dvec3 p) { return stage.visibility(p); });
+    return compareVisibility(frame.at("visibility"), truth, &pixels.mask).rmse;
 }
 
 }  // namespace penumbra

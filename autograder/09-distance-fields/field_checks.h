@@ -5,6 +5,7 @@
 #include <random>
 
 #include "core/checks.h"
+#include "core/truths.h"
 #include "scene/gallery.h"
 #include "scene/shapes.h"
 
@@ -82,6 +83,10 @@ struct GroundPixels {
     Image mask;
 };
 
-double rmse(const Image& mine, const Image& truth, const Image& mask);
+// Root mean square error against rays: 256², as few pixels as tell.
+double errorAgainstRays(const std::string& scene, const SettingList& settings = {});
+
+// Root mean square error against the exact share of the light, over receivers on the ground.
+double errorUnderSlab(const SlabStage& stage, const SettingList& settings);
 
 }  // namespace penumbra
