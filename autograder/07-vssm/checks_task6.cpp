@@ -1,0 +1,215 @@
+// Soft shadows: the search by a twin on plates whose depths are known, and what must hold in any
+// scene.
+#include <optional>
+
+#include "core/metrics.h"
+#include "core/truths.h"
+#include "truth/closed_form.h"
+#include "variance_checks.h"
+
+namespace penumbra {
+namespace {
+
+constexpr glm::ivec2 kFrame{128, 128};
+constexpr int kMap = 512;
+constexpr double kLeastWidth = 4.0 / kMap, kMinVariance = 1e-6;
+
+SettingList bare(SettingList more) {
+    for (const char* setting :
+         {"constant_bias=0", "light_bleeding=0", "least_width=4", "min_variance=1e-6"})
+        more.emplace_back(setting);
+    return more;
+}
+
+// --- The search, on plates: every surface has one depth ---
+
+struct Blockers {
+    double share = 0, depth = 0;
+};
+
+class PlatesSearch {
+public:
+    PlatesSearch(int queries, int cells)
+        : queries_(queries),
+          cells_(cells),
+          frame_(render({.scene = sceneFile(platesScene()),
+                         .size = kFrame,
+                         .settings = bare({"queries=" + std::to_string(queries),
+                                           "search_cells=" + std::to_string(cells)}),
+                         .images = {"blocker_depth",
+                                    "penumbra_width",
+                                    "receiver",
+                                    {"shadow_map", {kMap, kMap}},
+                                    kMatrix}})),
+          boxes_(frame_.at("shadow_map")),
+          scaleUv_(widthScaleUv(frame_.at("light_clip_from_world"), platesScene().lights[0])) {}
+
+    void expectTwin() const;
+
+private:
+    // README §6, in float64. The plates are parallel to the light: none rises over its window.
+    Blockers inWindow(dvec2 uv, double receiver, dvec2 width) const {
+        Blockers found;
+        for (int j = 0; j < cells_; ++j)
+            for (int i = 0; i < cells_; ++i) {
+                const dvec2 middle = uv + ((dvec2(i, j) + 0.5) / double(cells_) - 0.5) * width;
+                dvec2 box = boxes_.meanVariance(middle, width / double(cells_));
+                box.y = std::max(box.y, kMinVariance);
+                const double lit = upperBound(receiver, box);
+                if (lit > 0.999) continue;
+                found.share += 1 - lit;
+                found.depth += std::clamp(box.x - lit * receiver, 0.0, (1 - lit) * receiver);
+            }
+        if (found.share > 0) found.depth /= found.share;
+        found.share /= cells_ * cells_;
+        return found;
+    }
+
+    // A twin where every window holds enough blockers that its float32 table tells their depth.
+    std::optional<Blockers> search(dvec2 uv, double receiver) const {
+        dvec2 window = receiver * scaleUv_;
+        Blockers found;
+        for (int query = 0; query < queries_; ++query) {
+            found = inWindow(uv, receiver, glm::max(window, kLeastWidth));
+            if (found.share < 0.02) return {};
+            window = glm::min(window, 1.5 * (receiver - found.depth) * scaleUv_);
+        }
+        return found;
+    }
+
+    int queries_, cells_;
+    Rendered frame_;
+    DepthBoxes boxes_;
+    dvec2 scaleUv_;
+};
+
+void PlatesSearch::expectTwin() const {
+    const Image& receivers = frame_.at("receiver");
+    Image depth(kFrame.x, kFrame.y, 1), width = depth, mask = depth;
+    double compared = 0;
+    for (int y = 0; y < kFrame.y; ++y)
+        for (int x = 0; x < kFrame.x; ++x) {
+            if (receivers.at(x, y, 3) <= 0) continue;
+            const double receiver = receivers.at(x, y, 2);
+            const auto found =
+                search(dvec2(receivers.at(x, y, 0), receivers.at(x, y, 1)), receiver);
+            if (!found) continue;
+            depth.at(x, y) = float(found->depth);
+            width.at(x, y) = float(receiver - found->depth);
+            mask.at(x, y) = 1, ++compared;
+        }
+    EXPECT_VALUE(compared, Greater, 1000, "receivers of this scene that have blockers");
+    const std::string cause =
+        "the same boxes of the same map in float64; depths of a float32 table are good to 1e-5, "
+        "and a share of blockers of 2 % magnifies that by 50, or 100 where it is one cell's";
+    depths of a float32 table are good to 1e-5,
+        "
+        "and a share of blockers of 2 % magnifies that by 50, one cell's by more";
+    EXPECT_IMAGE_NEAR(frame_.at("blocker_depth"), depth, {.maximum = 1e-3, .cause = cause}, mask);
+    EXPECT_IMAGE_NEAR(frame_.at("penumbra_width"), width, {.maximum = 1e-3, .cause = cause}, mask);
+}
+
+TEST(Task6SoftShadows, TheFirstWindowHoldsAllThatCanBlock) { PlatesSearch(1, 1).expectTwin(); }
+
+TEST(Task6SoftShadows, CellsCountByTheirShareOfBlockers) { PlatesSearch(1, 3).expectTwin(); }
+
+TEST(Task6SoftShadows, TheNextWindowIsAsWideAsWhatWasFound) { PlatesSearch(2, 1).expectTwin(); }
+
+// --- Any scene ---
+
+TEST(Task6SoftShadows, AHalfPlanesPenumbraIsALinearRamp) {
+    const Receivers receivers = TracedScene(loadScene("halfplane"), kSmall).receivers();
+    const Rendered frame = render({.scene = "halfplane", .size = kSmall, .settings = bare({})});
+    double sum = 0, count = 0;
+    for (std::size_t i = 0; i < receivers.positions.size(); ++i) {
+        const vec3 p = receivers.positions[i];
+        if (!receivers.hit[i] || p.y > 0.01f) continue;
+        const double error = frame.at("visibility").pixels[i] -
+                             halfPlaneVisibility(p.x, kHalfPlaneBlockerHeight,
+                                                 kHalfPlaneLightHeight, kHalfPlaneLightWidth);
+        sum += error * error, count += 1;
+    }
+    EXPECT_VALUE(std::sqrt(sum / count), LessOrEqual, 0.004,
+                 "two depths, for which the bound is exact: what is left is the map's texel");
+}
+
+// A plane that nothing blocks: what it sees of the light is what is above its horizon.
+void expectHorizonOnly(const Scene& scene) {
+    const Receivers receivers = TracedScene(scene, kFrame).receivers();
+    Image truth(kFrame.x, kFrame.y, 1, 1.0f);
+    for (std::size_t i = 0; i < truth.pixels.size(); ++i)
+        if (receivers.hit[i])
+            truth.pixels[i] = float(horizonVisibility(receivers.positions[i],
+                                                      receivers.facetNormals[i], scene.lights[0]));
+    const Rendered frame = render(
+        {.scene = sceneFile(scene), .size = kFrame, .images = {"visibility", "blocker_depth"}});
+    EXPECT_IMAGE_NEAR(frame.at("visibility"), truth,
+                      {.maximum = 1e-4,
+                       .cause = scene.name + ": nothing blocks, and the horizon is a closed form; "
+                                             "heights over a plane keep 1e-5 of their distance"});
+    EXPECT_IMAGE_NEAR(frame.at("blocker_depth"), Image(kFrame.x, kFrame.y, 1),
+                      {.maximum = 0, .cause = scene.name + ": nothing blocks"});
+}
+
+Scene bareGround(float size, Light light) {
+    Scene scene;
+    scene.name = "bare ground";
+    scene.materials = {{.name = "grey"}};
+    scene.meshes = {ground(size, 1, 0)};
+    scene.lights = {light};
+    scene.camera = {.eye = {0.0f, 4.0f, 6.0f},
+                    .target = {0.0f, -0.3f, 0.0f},
+                    .verticalFov = 0.85f,
+                    .nearPlane = 1.0f,
+                    .farPlane = 20.0f};
+    return scene;
+}
+
+TEST(Task6SoftShadows, WhereNothingBlocksTheHorizonAloneCounts) {
+    expectHorizonOnly(loadScene("tilted@60"));
+    expectHorizonOnly(loadScene("tilted@89"));
+    expectHorizonOnly(bareGround(4, Light::lookingAt({1.0f, 7.0f, 0.5f}, vec3(0.0f), 1.0f)));
+    // A wide light, half of it below the ground that it shines along.
+    expectHorizonOnly(
+        bareGround(6, Light::lookingAt({1.0f, 0.5f, -6.0f}, {0.0f, -0.5f, 0.0f}, 3.0f)));
+}
+
+// `scene` with every length times `scale`.
+Scene scaled(Scene scene, float scale) {
+    for (Mesh& mesh : scene.meshes)
+        for (vec3& p : mesh.positions) p *= scale;
+    for (Light& light : scene.lights) light.center *= scale, light.width *= scale;
+    Camera& camera = scene.camera;
+    camera.eye *= scale, camera.target *= scale;
+    camera.nearPlane *= scale, camera.farPlane *= scale;
+    return scene;
+}
+
+TEST(Task6SoftShadows, ScalingTheWorldChangesNothing) {
+    const Scene scene = loadScene("stairs@5");
+    const Rendered one = render({.scene = sceneFile(scene), .size = kFrame});
+    const Rendered sixteen = render({.scene = sceneFile(scaled(scene, 16.0f)), .size = kFrame});
+    const auto& pixels = one.at("visibility").pixels;
+    EXPECT_VALUE(*std::min_element(pixels.begin(), pixels.end()), Less, 0.05,
+                 "there must be a shadow to compare");
+    EXPECT_IMAGE_NEAR(sixteen.at("visibility"), one.at("visibility"),
+                      {.maximum = 1e-6, .cause = "a power of two changes no digit of a float"});
+}
+
+TEST(Task6SoftShadows, ATinyLightCastsAHardShadowAndAHugeOneStaysFinite) {
+    const Image hard = TracedScene(loadScene("boxes@7"), kFrame).pointVisibility();
+    const Rendered tiny =
+        render({.scene = "boxes@7", .size = kFrame, .settings = {"light_size=0.001"}});
+    EXPECT_VALUE(compareVisibility(tiny.at("visibility"), hard).rmse, LessOrEqual, 0.04,
+                 "four texels of a map of 512 along every edge, the narrowest filter");
+    const Rendered huge =
+        render({.scene = "boxes@7", .size = kFrame, .settings = {"light_size=4"}});
+    const Image& visibility = huge.at("visibility");
+    const auto [low, high] =
+        std::minmax_element(visibility.pixels.begin(), visibility.pixels.end());
+    EXPECT_VALUE(*low, GreaterOrEqual, 0, "a share");
+    EXPECT_VALUE(*high, LessOrEqual, 1, "a share");
+}
+
+}  // namespace
+}  // namespace penumbra
