@@ -93,7 +93,7 @@ void DistanceFields::settings(Settings& s) {
               .help = "where it may still get darker, steps shrink to this share of the distance",
               .minimum = 0.02,
               .maximum = 1,
-              .value = 0.5});
+              .value = 1});
     s.integer({.name = "max_steps",
                .help = "look-ups of one march",
                .minimum = 4,

@@ -14,8 +14,9 @@ namespace penumbra {
 namespace {
 
 // Open meshes have no inside, and between voxels a look-up near a sheet does not come down to 0:
-// half a voxel on an axis, sqrt(3) / 2 along a diagonal. So sheets get a thickness.
-constexpr float kSkinVoxels = 0.5f;
+// at worst to half a voxel. So sheets get a thickness: with less, light comes through; with more,
+// they grow.
+constexpr float kSkinVoxels = 0.3f;
 
 }  // namespace
 
@@ -31,7 +32,8 @@ void BlockerField::prepare(const View& view, int voxels) {
     notes_.clear();
     skin_ = 0;
     if (blockers.empty()) return makeEmpty(view.scene);
-    grid_ = DistanceGrid::around(bounds(blockers), voxels);
+    box_ = bounds(blockers);
+    grid_ = DistanceGrid::around(box_, voxels);
     const auto open = std::stable_partition(
         blockers.begin(), blockers.end(), [](const Mesh& mesh) { return closed(meshEdges(mesh)); });
     make({blockers.begin(), open}, {open, blockers.end()});
@@ -47,6 +49,7 @@ void BlockerField::make(std::span<const Mesh> closedMeshes, std::span<const Mesh
     if (!closedMeshes.empty()) values = field(closedMeshes);
     if (!openMeshes.empty()) {
         skin_ = kSkinVoxels * grid_.cell;
+        box_.lower -= skin_, box_.upper += skin_;
         std::vector<float> sheets = field(openMeshes);
         for (std::size_t i = 0; i < sheets.size(); ++i) {
             sheets[i] -= skin_;
@@ -54,6 +57,8 @@ void BlockerField::make(std::span<const Mesh> closedMeshes, std::span<const Mesh
         }
         values = std::move(sheets);
     }
+    notes_.push_back(fmt::format("field of {} x {} x {} voxels, {:.2g} wide", grid_.size.x,
+                                 grid_.size.y, grid_.size.z, grid_.cell));
     for (const Mesh& mesh : openMeshes)
         notes_.push_back(fmt::format(
             "mesh {} is open: it has no inside, and blocks as a sheet, one voxel ({:.2g}) thick",
@@ -64,8 +69,9 @@ void BlockerField::make(std::span<const Mesh> closedMeshes, std::span<const Mesh
 
 // One voxel that is as far from everything as the scene is wide: nothing blocks.
 void BlockerField::makeEmpty(const Scene& scene) {
-    const Box box = bounds(scene);
-    grid_ = {.lower = box.lower, .cell = glm::length(box.upper - box.lower), .size = glm::ivec3(1)};
+    box_ = bounds(scene);
+    grid_ = {
+        .lower = box_.lower, .cell = glm::length(box_.upper - box_.lower), .size = glm::ivec3(1)};
     texture_ = VolumeTexture({.size = grid_.size, .format = GL_R32F, .label = "distance field"});
     texture_.upload(std::vector<float>{grid_.cell});
 }
@@ -81,7 +87,9 @@ FieldBlock fieldBlock(const Settings& s, const BlockerField& field) {
             .stepCap = s["step_cap"],
             .smallestStep = s["smallest_step"] * grid.cell,
             .maxSteps = s.index("max_steps"),
-            .sliceY = grid.lower.y + s["slice"] * (upper.y - grid.lower.y)};
+            .blockersLower = field.box().lower,
+            .sliceY = grid.lower.y + s["slice"] * (upper.y - grid.lower.y),
+            .blockersUpper = field.box().upper};
 }
 
 std::vector<std::string> chunksFor(const Settings& s) {

@@ -8,7 +8,9 @@ layout(std140) uniform Field {
     float stepCap;        // see march.glsl
     float smallestStep;   // [world]
     int maxSteps;
+    vec3 blockersLower;   // corners of the blockers' own box: smaller than the grid's      [world]
     float sliceY;         // height of the picture `distance`                               [world]
+    vec3 blockersUpper;
 } field;
 
 uniform sampler3D distanceField;   // signed distance at voxel centres, linear in between   [world]

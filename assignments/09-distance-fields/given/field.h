@@ -20,11 +20,14 @@ struct FieldBlock {  // field.glsl
     float normalOffset;
     float k, stepCap, smallestStep;
     int maxSteps;
+    glm::vec3 blockersLower;
     float sliceY;
-    float padding[3] = {};
+    glm::vec3 blockersUpper;
+    float padding = 0;
 };
 static_assert(offsetof(FieldBlock, upper) == 16 && offsetof(FieldBlock, k) == 32 &&
-              offsetof(FieldBlock, sliceY) == 48);
+              offsetof(FieldBlock, blockersLower) == 48 &&
+              offsetof(FieldBlock, blockersUpper) == 64);
 
 // Made when the scene changes, or the light moves so that other meshes can block; from the cache on
 // disk where it holds the field.
@@ -32,6 +35,7 @@ class BlockerField {
 public:
     void prepare(const View& view, int voxels);
     const DistanceGrid& grid() const { return grid_; }
+    const Box& box() const { return box_; }  // of the blockers, with their skin
     const VolumeTexture& texture() const { return texture_; }
     // Half the thickness that open meshes are given, since they have no inside; 0: there are none.
     float skin() const { return skin_; }
@@ -47,6 +51,7 @@ private:
     int voxels_ = 0;
     std::vector<std::string> blockers_;  // names
     DistanceGrid grid_;
+    Box box_;
     float skin_ = 0;
     VolumeTexture texture_;
     std::vector<std::string> notes_;

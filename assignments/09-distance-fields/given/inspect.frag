@@ -3,7 +3,7 @@
 
 layout(location = 0) out float ratio;     // smallest distance / t; the largest of interest where nothing comes near
 layout(location = 1) out float approach;  // t of it; 0 where nothing comes near                     [world]
-layout(location = 2) out float steps;     // look-ups
+layout(location = 2) out float steps;     // look-ups, as a share of max_steps
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -13,5 +13,5 @@ void main() {
     Approach nearest = approachOf(receiver);
     ratio = nearest.ratio;
     approach = nearest.t < receiver.distance ? nearest.t : 0.0;
-    steps = nearest.steps;
+    steps = nearest.steps / float(field.maxSteps);
 }

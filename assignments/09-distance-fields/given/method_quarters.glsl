@@ -3,7 +3,9 @@
 
 Approach approachOf(Receiver receiver) { return marchToLight(receiver, surelyLit(receiver), -surelyLit(receiver)); }
 
-// `at`: (s, t) of the quarter's centre.
+// In order around the light, so that i + 1 and i + 3 are the neighbours of i.
+vec2 quarterCenter(int i) { return vec2(i == 1 || i == 2 ? 0.25 : -0.25, i < 2 ? -0.25 : 0.25); }
+
 EdgeLine lineSeenTowards(Receiver receiver, vec2 at) {
     vec3 toLight = light.center + light.width * (at.x * light.right + at.y * light.up) - receiver.origin;
     float distance = length(toLight);
@@ -27,11 +29,15 @@ float quarterVisibility(EdgeLine own, EdgeLine left, EdgeLine right, vec2 at) {
 }
 
 float softVisibility(Receiver receiver) {
-    float center = approachOf(receiver).ratio;
-    if (abs(center) >= surelyLit(receiver)) return center > 0.0 ? 1.0 : 0.0;
-    vec2 a = vec2(-0.25, -0.25), b = vec2(0.25, -0.25), c = vec2(0.25, 0.25), d = vec2(-0.25, 0.25);
-    EdgeLine lineA = lineSeenTowards(receiver, a), lineB = lineSeenTowards(receiver, b),
-             lineC = lineSeenTowards(receiver, c), lineD = lineSeenTowards(receiver, d);
-    return 0.25 * (quarterVisibility(lineA, lineB, lineD, a) + quarterVisibility(lineB, lineA, lineC, b) +
-                   quarterVisibility(lineC, lineB, lineD, c) + quarterVisibility(lineD, lineA, lineC, d));
+    float most = surelyLit(receiver);
+    EdgeLine center = edgeLine(receiver, receiver.direction, approachOf(receiver), most, -most), lines[4];
+    for (int i = 0; i < 4; ++i) {
+        if (center.trusted) break;   // in a loop, which a rasteriser that runs pixels in groups can leave early
+        lines[i] = lineSeenTowards(receiver, quarterCenter(i));
+    }
+    if (center.trusted) return shareAboveHorizon(center.height);
+    float sum = 0.0;
+    for (int i = 0; i < 4; ++i)
+        sum += quarterVisibility(lines[i], lines[(i + 1) & 3], lines[(i + 3) & 3], quarterCenter(i));
+    return 0.25 * sum;
 }
