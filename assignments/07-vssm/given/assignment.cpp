@@ -112,7 +112,7 @@ void Vssm::settings(Settings& s) {
                .help = "the search for blockers likewise",
                .minimum = 1,
                .maximum = 4,
-               .value = 2});
+               .value = 1});
     s.integer({.name = "queries",
                .help = "of the search for blockers, each in a narrower window",
                .minimum = 1,

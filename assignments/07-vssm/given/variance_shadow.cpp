@@ -29,7 +29,8 @@ VarianceShadowBlock varianceShadowBlock(const Settings& s, const AreaShadowMap& 
         .minVariance = s["min_variance"],
         .lightBleeding = s["light_bleeding"],
         .exponent = s["exponent"],
-        .integersPerUnit = integersPerUnit(std::max({searched.x, searched.y, fixed}), map.size())};
+        .integersPerUnit = integersPerUnit(std::max({searched.x, searched.y, fixed}), map.size()),
+        .mapSize = size};
 }
 
 bool isExponential(const Settings& s) {

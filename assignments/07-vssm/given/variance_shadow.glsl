@@ -13,12 +13,14 @@ layout(std140) uniform VarianceShadow {
     float lightBleeding;    // share of the bound that is cut off
     float exponent;         // estimate=esm, evsm; already limited
     float integersPerUnit;  // prefilter=sat_cpu_integer, sat_gpu
+    float mapSize;          // along each side                                              [texels]
 } shadow;
 
 // A point of a surface as the light's map sees it.
 struct Receiver {
     vec3 uvDepth;      // u, v, depth: [0,1]³ inside the map
     vec3 lightHeight;  // of the light's point (s, t) over the receiver's plane: x + s y + t z, s, t in [-1/2, 1/2]
+    vec2 slope;        // of the receiver's plane in the map: depth per uv
     float bias;        // constant bias here [depth]
 };
 

@@ -14,11 +14,12 @@ struct VarianceShadowBlock {  // variance_shadow.glsl
     int queries, searchCells, filterCells;
     float center;
     float minVariance, lightBleeding, exponent, integersPerUnit;
+    float mapSize, padding[3] = {};
 };
 static_assert(offsetof(VarianceShadowBlock, queries) == 16 &&
               offsetof(VarianceShadowBlock, center) == 28 &&
               offsetof(VarianceShadowBlock, integersPerUnit) == 44 &&
-              sizeof(VarianceShadowBlock) == 48);
+              sizeof(VarianceShadowBlock) == 64);
 
 // All but `center`, which is in the map.
 VarianceShadowBlock varianceShadowBlock(const Settings& settings, const AreaShadowMap& map);

@@ -2,6 +2,7 @@
 #include "filter.glsl"
 
 float softVisibility(Receiver receiver) {
-    if (receiver.lightHeight.x <= 0.0) return shareAboveHorizon(receiver, vec2(0.0), 1.0);
+    float wholeLight = shareAboveHorizon(receiver, vec2(0.0), 1.0);
+    if (receiver.lightHeight.x <= 0.0) return wholeLight;
     return visibilityInWindow(receiver, shadow.filterWidthUv);
 }

@@ -3,6 +3,7 @@
 #include "vssm.glsl"
 
 float softVisibility(Receiver receiver) {
-    if (receiver.lightHeight.x <= 0.0) return shareAboveHorizon(receiver, vec2(0.0), 1.0);
+    float wholeLight = shareAboveHorizon(receiver, vec2(0.0), 1.0);
+    if (receiver.lightHeight.x <= 0.0) return wholeLight;
     return vssmVisibility(receiver);
 }

@@ -3,23 +3,25 @@
 #include "box.glsl"
 
 struct Window {
-    vec2 low;    // corner [texels]
-    vec2 width;  // of a cell [texels]
+    vec2 low;           // corner [texels]
+    vec2 width;         // of a cell [texels]
+    float inverseArea;  // of a cell
 };
 
 Window windowAround(vec2 centerUv, vec2 widthUv, float inverse) {
-    return Window((centerUv - 0.5 * widthUv) / map.texelSizeUv, widthUv * inverse / map.texelSizeUv);
+    vec2 width = widthUv * inverse * shadow.mapSize;
+    return Window((centerUv - 0.5 * widthUv) * shadow.mapSize, width, 1.0 / (width.x * width.y));
 }
 
 // Left of column i in row j.
 Side sideOf(Window window, int i, int j) {
     vec2 low = window.low + vec2(i, j) * window.width, high = vec2(low.x, low.y + window.width.y);
-    return sideAt(clamp(low, vec2(0.0), 1.0 / map.texelSizeUv), clamp(high, vec2(0.0), 1.0 / map.texelSizeUv));
+    return sideAt(clamp(low, 0.0, shadow.mapSize), clamp(high, 0.0, shadow.mapSize));
 }
 
 vec2 meanVarianceBetween(Window window, Side left, Side right) {
-    vec2 inside = (right.high - left.low) / window.width;
-    vec2 moments = withBorder(meanBetween(left, right), inside.x * inside.y, shadow.center);
+    vec2 inside = right.high - left.low;
+    vec2 moments = withBorder(meanBetween(left, right), inside.x * inside.y * window.inverseArea, shadow.center);
     return meanVariance(moments, shadow.center, shadow.minVariance);
 }
 
@@ -29,8 +31,7 @@ vec2 cellMiddle(int i, int j, float inverse) { return (vec2(i, j) + 0.5) * inver
 // What is nearer than this, `offsetUv` beside the receiver, blocks: it lies over the receiver's plane, and nearer to the
 // light than the receiver.
 float blockedBelow(Receiver receiver, vec2 offsetUv) {
-    float slope = dot(receiver.lightHeight.yz / map.widthScaleUv, offsetUv) / receiver.lightHeight.x;
-    return receiver.uvDepth.z + min(slope, 0.0) - receiver.bias;
+    return receiver.uvDepth.z + min(dot(receiver.slope, offsetUv), 0.0) - receiver.bias;
 }
 
 // Share of a cell of the light, n x n of which make the whole, that stands over the receiver's plane. Over the cell the
