@@ -101,10 +101,7 @@ void PlatesSearch::expectTwin() const {
     EXPECT_VALUE(compared, Greater, 1000, "receivers of this scene that have blockers");
     const std::string cause =
         "the same boxes of the same map in float64; depths of a float32 table are good to 1e-5, "
-        "and a share of blockers of 2 % magnifies that by 50, or 100 where it is one cell's";
-    depths of a float32 table are good to 1e-5,
-        "
-        "and a share of blockers of 2 % magnifies that by 50, one cell's by more";
+        "and a share of blockers of 2 % magnifies that by 50, a single cell's by more";
     EXPECT_IMAGE_NEAR(frame_.at("blocker_depth"), depth, {.maximum = 1e-3, .cause = cause}, mask);
     EXPECT_IMAGE_NEAR(frame_.at("penumbra_width"), width, {.maximum = 1e-3, .cause = cause}, mask);
 }
