@@ -118,7 +118,7 @@ void MomentShadowMaps::settings(Settings& s) {
               .unit = "texels",
               .minimum = 0,
               .maximum = 16,
-              .value = 1});
+              .value = 0.5});
     s.toggle({.name = "receiver_plane",
               .help = "compare with the nearest depth of the receiver's plane in the window",
               .value = 1});
