@@ -16,7 +16,9 @@ std::vector<int> ones(const std::vector<int>& signs) {
 }
 
 std::vector<Light> lightsAround() {
-    return {lampAt({3, 5, 2}), sunFrom({3, 5, 2}), lampAt({0.5f, -6, 3}), sunFrom({-4, 2, 1})};
+    return {lampAt({3, 5, 2}), sunFrom({3, 5, 2}),
+            lampAt({-4, 2, 1}),  // in the plane of one of the box's faces
+            sunFrom({0.5f, -6, 3})};
 }
 
 std::vector<Mesh> closedMeshes() {
