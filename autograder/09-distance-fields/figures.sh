@@ -34,10 +34,11 @@ mine lecture-sharp --scene boxes --set method=lecture --set k=4
 mine lecture --scene boxes --set method=lecture
 mine signed --scene boxes --set method=signed
 rays rays-boxes --scene boxes
-bands="--scene fence --set method=lecture --set k=1 --set grid=256 --set max_steps=24"
-mine few-steps $bands
-mine enough-steps $bands --set max_steps=256
-mine self-shadow --scene boxes --set method=signed --set normal_offset=0 --set horizon=off
+bands="--scene boxes --set method=lecture --set k=1 --set light_size=4"
+mine bands $bands
+mine bands-capped $bands --set step_cap=0.1
+mine bands-closest $bands --set method=closest_approach
+mine self-shadow --scene boxes --set grid=64 --set method=signed --set normal_offset=0 --set horizon=off
 mine no-horizon --scene boxes --set method=signed --set horizon=off
 mine leak-signed --scene stairs --set method=signed
 mine leak-quarters --scene stairs

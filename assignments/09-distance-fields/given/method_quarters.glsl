@@ -35,9 +35,8 @@ float softVisibility(Receiver receiver) {
         if (center.trusted) break;   // in a loop, which a rasteriser that runs pixels in groups can leave early
         lines[i] = lineSeenTowards(receiver, quarterCenter(i));
     }
-    if (center.trusted) return shareAboveHorizon(center.height);
     float sum = 0.0;
     for (int i = 0; i < 4; ++i)
         sum += quarterVisibility(lines[i], lines[(i + 1) & 3], lines[(i + 3) & 3], quarterCenter(i));
-    return 0.25 * sum;
+    return center.trusted ? shareAboveHorizon(center.height) : 0.25 * sum;
 }

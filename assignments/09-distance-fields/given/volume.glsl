@@ -6,7 +6,7 @@
 float sceneDistance(vec3 p) {
     vec3 onBox = clamp(p, field.lower, field.upper);
     float there = textureLod(distanceField, fieldCoordinate(onBox, field.lower, field.upper), 0.0).r;
-    if (p == onBox) return distanceBeyond(p, onBox, there);
-    vec3 toBlockers = p - clamp(p, field.blockersLower, field.blockersUpper);
-    return max(distanceBeyond(p, onBox, there), length(toBlockers));
+    float toBlockers = length(p - clamp(p, field.blockersLower, field.blockersUpper));
+    float beyond = distanceBeyond(p, onBox, there);
+    return p == onBox ? beyond : max(beyond, toBlockers);
 }
