@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # Draws the handout's figures anew from a built tree:  autograder/08-moment-shadow-maps/figures.sh [BIN_DIR]
+# The typical wrong picture comes from wrong/, so that figure and grader show the same mistake.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -34,6 +35,7 @@ mine integer-sums --scene boxes
 mine bias-none --scene boxes $fixed --set moment_bias=0
 mine bias-right --scene boxes $fixed
 mine bias-much --scene boxes $fixed --set moment_bias=1e-2
+mine own-weight --scene boxes --layer "$here/wrong/own-weight-counted"
 image=visibility mine no-plane --scene boxes --set receiver_plane=off
 image=visibility mine with-plane --scene boxes
 image=blocker_depth mine blocker-depth --scene boxes
