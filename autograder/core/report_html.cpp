@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "core/base64.h"
 #include "core/report.h"
 #include "core/report_style.h"
 
@@ -8,24 +9,6 @@ namespace penumbra {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string base64(const std::vector<unsigned char>& bytes) {
-    static const char kDigits[] =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const auto at = [&](std::size_t k) {
-            return i + k < bytes.size() ? unsigned(bytes[i + k]) : 0u;
-        };
-        const unsigned three = at(0) << 16 | at(1) << 8 | at(2);
-        text += kDigits[three >> 18];
-        text += kDigits[three >> 12 & 63];
-        text += i + 1 < bytes.size() ? kDigits[three >> 6 & 63] : '=';
-        text += i + 2 < bytes.size() ? kDigits[three & 63] : '=';
-    }
-    return text;
-}
 
 const char* styleOf(Verdict verdict) {
     switch (verdict) {

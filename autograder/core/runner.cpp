@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <regex>
 
 #include "core/error.h"
@@ -91,9 +92,10 @@ std::string troubleOf(const FrameFile& frame, const std::vector<ImageRequest>& a
     return "";
 }
 
+// `verify` says what is wrong with the answer; "" = nothing.
 RunOutcome run(const VariantProgram& program, std::vector<std::string> arguments,
-               const ProcessLimits& limits, const std::vector<ImageRequest>& images,
-               glm::ivec2 size, const fs::path& scratch) {
+               const ProcessLimits& limits, std::size_t images, const fs::path& scratch,
+               const std::function<std::string(const FrameFile&)>& verify) {
     RunOutcome outcome;
     if (!program.broken.empty()) {
         outcome.reason = program.broken;
@@ -123,8 +125,8 @@ RunOutcome run(const VariantProgram& program, std::vector<std::string> arguments
                           (process.end == End::exited && process.code == kExitNoOpenGl);
     if (outcome.reason.empty()) try {
             auto frame = std::make_shared<FrameFile>(loadFrameFile(
-                file, {.maximumBytes = limits.fileBytes, .maximumImages = int(images.size()) + 8}));
-            outcome.reason = troubleOf(*frame, images, size);
+                file, {.maximumBytes = limits.fileBytes, .maximumImages = int(images) + 8}));
+            outcome.reason = verify(*frame);
             if (outcome.reason.empty()) outcome.frame = std::move(frame);
         } catch (const Error& error) {
             outcome.reason = error.what();
@@ -154,8 +156,8 @@ RunOutcome runRender(const VariantProgram& program, const RenderRequest& request
     for (const auto& image : request.images)
         arguments.insert(arguments.end(), {"--image", image.name});
     if (request.warm) arguments.push_back("--warm");
-    return run(program, std::move(arguments), request.limits, request.images, request.size,
-               scratch);
+    return run(program, std::move(arguments), request.limits, request.images.size(), scratch,
+               [&](const FrameFile& f) { return troubleOf(f, request.images, request.size); });
 }
 
 RunOutcome runEvaluate(const VariantProgram& program, const EvaluateRequest& request,
@@ -178,7 +180,29 @@ RunOutcome runEvaluate(const VariantProgram& program, const EvaluateRequest& req
     return run(program,
                {"evaluate", "--chunk", request.chunk, "--expression", request.expression,
                 "--inputs", inputs.string()},
-               request.limits, {"result"}, {int(count), 1}, scratch);
+               request.limits, 1, scratch, [&](const FrameFile& f) {
+                   return troubleOf(f, {"result"}, {int(count), 1});
+               });
+}
+
+RunOutcome runSweep(const VariantProgram& program, const SweepRequest& request,
+                    const fs::path& scratch) {
+    std::vector<std::string> arguments = {"sweep",
+                                          "--scene",
+                                          request.scene,
+                                          "--size",
+                                          fmt::format("{}x{}", request.size.x, request.size.y),
+                                          "--repeat",
+                                          std::to_string(request.repetitions)};
+    for (const auto& point : request.points) arguments.insert(arguments.end(), {"--vary", point});
+    return run(program, std::move(arguments), request.limits, request.points.size(), scratch,
+               [&](const FrameFile& f) {
+                   std::vector<ImageRequest> images;  // of the points that did not fail
+                   for (std::size_t i = 0; i < request.points.size(); ++i)
+                       if (!f.info.count(fmt::format("error.{}", i)))
+                           images.emplace_back(fmt::format("visibility.{}", i));
+                   return troubleOf(f, images, request.size);
+               });
 }
 
 }  // namespace penumbra

@@ -56,6 +56,16 @@ struct EvaluateRequest {
     ProcessLimits limits = {};
 };
 
+// Several settings in one process, each measured `repetitions` times: app/benchmark.h says what the
+// frame holds.
+struct SweepRequest {
+    std::string scene;
+    glm::ivec2 size{512, 512};
+    std::vector<std::string> points;  // name=value,name=value
+    int repetitions = 3;
+    ProcessLimits limits = {};
+};
+
 struct RunOutcome {
     std::shared_ptr<const FrameFile> frame;  // null: `reason` says why
     std::string reason;                      // in a person's words
@@ -68,6 +78,8 @@ RunOutcome runRender(const VariantProgram& program, const RenderRequest& request
                      const std::filesystem::path& scratch);
 RunOutcome runEvaluate(const VariantProgram& program, const EvaluateRequest& request,
                        const std::filesystem::path& scratch);  // frame->images.at("result")
+RunOutcome runSweep(const VariantProgram& program, const SweepRequest& request,
+                    const std::filesystem::path& scratch);
 
 // The request as a person would type it; equal requests have equal text.
 std::string inWords(const RenderRequest& request);
