@@ -32,49 +32,36 @@ TEST(Task6Edge, TheGradientPointsAwayFromTheNearestPoint) {
 }
 
 // A straight edge and the receiver span a plane with normal n; a ray along d passes the edge at
-// sin(angle) = n · d, and there the distance rises along n. Light points are hidden below the
-// plane.
-TEST(Task6Edge, ALightPointIsHiddenBelowThePlaneOfReceiverAndEdge) {
+// sin(angle) = n · d, and there the distance rises along n. So the plane is n / cos(angle).
+TEST(Task6Edge, ReceiverAndEdgeSpanAPlane) {
     Dice dice(62);
-    Rows directions, gradients, points, truth;
+    Rows directions, gradients, truth;
     while (int(truth.size()) < kRows) {
         const dvec3 n = dice.direction(), d = dice.direction();
         const double sine = glm::dot(n, d);
-        if (std::abs(sine) > 0.8) continue;
-        const dvec3 l = 8.0 * (d + 0.5 * dice.direction());
-        const double over = glm::dot(n, l);
-        if (std::abs(over) < 1e-2) continue;
+        if (std::abs(sine) > 0.9) continue;
+        const bool alongTheRay = truth.size() % 8 == 0;
         directions.emplace_back(dvec4(d, std::tan(std::asin(sine))));
-        gradients.emplace_back(
-            dvec4(dice(0.7, 1.2) * n, 0));  // between voxels it is not of unit length
-        points.emplace_back(dvec4(l, 0));
-        truth.emplace_back(over > 0 ? 1 : 0);
-    }
-    const Rows visible =
-        evaluate({.chunk = "analytic_gradient.glsl",
-                  .expression = "vec4(dot(edgePlane(a.w, a.xyz, b.xyz), c.xyz) > 0.0 ? 1.0 : 0.0)",
-                  .inputs = {{"a", directions}, {"b", gradients}, {"c", points}}});
-    EXPECT_ROWS_NEAR(visible, truth, {.cause = "no light point is nearer to the plane than 0.01"});
-}
-
-TEST(Task6Edge, WhereTheGradientIsAlongTheRayThereIsNoEdge) {
-    Dice dice(63);
-    Rows directions, gradients;
-    for (int i = 0; i < kRows; ++i) {
-        const dvec3 d = dice.direction();
-        directions.emplace_back(dvec4(d, dice(-1, 1)));
-        gradients.emplace_back(dvec4(i % 4 == 0 ? dvec3(0) : dice(-1, 1) * d, 0));
+        // Between voxels a gradient is not of unit length.
+        gradients.emplace_back(dvec4(alongTheRay ? sine * d : dice(0.7, 1.2) * n, 0));
+        truth.emplace_back(dvec4(alongTheRay ? dvec3(0) : n / std::sqrt(1 - sine * sine), 0));
     }
     const Rows edgePlane = evaluate({.chunk = "analytic_gradient.glsl",
                                      .expression = "vec4(edgePlane(a.w, a.xyz, b.xyz), 0.0)",
                                      .inputs = {{"a", directions}, {"b", gradients}}});
-    EXPECT_ROWS_NEAR(edgePlane, Rows(kRows, vec4(0)),
-                     {.absolute = 0, .components = 3, .cause = "no direction across the ray"});
+    EXPECT_ROWS_NEAR(
+        edgePlane, truth,
+        {.absolute = 1e-5,
+         .components = 3,
+         .cause = "float32; sines up to 0.9, so lengths up to 2.3. A gradient along the "
+                  "ray has no part across it: 0"});
 }
 
 TEST(Task6Edge, ATurnedSlabHidesAnExactShare) {
     EXPECT_VALUE(errorUnderSlab({.thickness = 1, .turnRadians = 0.5}, {"method=edge", "grid=64"}),
-                 LessOrEqual, 0.02, "TBD");
+                 LessOrEqual, 0.025,
+                 "voxels of 0.15: the edge is off by up to half of one, 0.07 / 3.8 of the light's "
+                 "0.19: a tenth at worst, a quarter of that in the mean square");
 }
 
 }  // namespace

@@ -22,10 +22,9 @@ double RoundedBox::distance(dvec3 p) const {
            std::min(std::max({beyond.x, beyond.y, beyond.z}), 0.0) - radius;
 }
 
-Closest closest(const RoundedBox& shape, dvec3 origin, dvec3 direction, double first,
-                double reach) {
-    const auto ratio = [&](double t) { return shape.distance(origin + t * direction) / t; };
-    constexpr int kSamples = 400;
+double leastRatio(const std::function<double(double)>& distance, double first, double reach) {
+    const auto ratio = [&](double t) { return distance(t) / t; };
+    constexpr int kSamples = 200;
     const double step = (reach - first) / kSamples;
     int least = 0;
     for (int i = 1; i <= kSamples; ++i)
@@ -33,15 +32,14 @@ Closest closest(const RoundedBox& shape, dvec3 origin, dvec3 direction, double f
     double low = first + std::max(least - 1, 0) * step;
     double high = first + std::min(least + 1, kSamples) * step;
     const double golden = 0.5 * (std::sqrt(5.0) - 1);
-    while (high - low > 1e-9 * reach) {
+    while (high - low > 1e-6 * reach) {
         const double part = golden * (high - low);
         if (ratio(high - part) < ratio(low + part))
             high = low + part;
         else
             low = high - part;
     }
-    const double t = 0.5 * (low + high);
-    return {ratio(t), t};
+    return ratio(0.5 * (low + high));
 }
 
 namespace {

@@ -2,6 +2,7 @@
 // over t along a ray in float64, and a slab between light and ground whose shadow is exact.
 #pragma once
 
+#include <functional>
 #include <random>
 
 #include "core/checks.h"
@@ -42,12 +43,9 @@ struct RoundedBox {
     double distance(dvec3 p) const;
 };
 
-// The infimum of distance / t over [first, reach] on the ray, for a distance that is smooth or has
-// one kink: dense samples, then a golden section around the least one.
-struct Closest {
-    double ratio, t;
-};
-Closest closest(const RoundedBox& shape, dvec3 origin, dvec3 direction, double first, double reach);
+// The infimum of distance(t) / t over [first, reach], for a distance that is smooth or has one
+// kink: dense samples, then a golden section around the least one.
+double leastRatio(const std::function<double(double)>& distance, double first, double reach);
 
 // A slab over the ground, thick or thin, turned about the light's axis, its edge under the light's
 // centre. The light faces straight down.

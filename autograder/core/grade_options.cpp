@@ -37,8 +37,8 @@ void declare(CLI::App& app, Options& o) {
                    "keep truths in this folder for later runs; whoever can write there decides "
                    "what is true");
     app.add_option("--shader-cache", o.shaderCache,
-                   "keep compiled shaders in this folder for later runs; the programs under test "
-                   "write there");
+                   "keep compiled shaders and distance fields in this folder for later runs; the "
+                   "programs under test write there");
     app.add_flag("--expect-mistake", o.expectMistake, "succeed if exactly the named checks fail")
         ->needs(mistake);
     app.add_flag("--expect-not-started", o.expectNotStarted, "succeed if no task has been started");

@@ -112,7 +112,8 @@ RunOutcome run(const VariantProgram& program, std::vector<std::string> arguments
     std::vector<std::string> environment;
     if (!program.shaderCache.empty())
         environment = {"MESA_SHADER_CACHE_DIR=" + program.shaderCache.string(),
-                       "MESA_SHADER_CACHE_MAX_SIZE=256M"};
+                       "MESA_SHADER_CACHE_MAX_SIZE=256M",
+                       "PENUMBRA_CACHE=" + (program.shaderCache / "penumbra").string()};
     const auto process = runProcess({.program = program.executable,
                                      .arguments = arguments,
                                      .folder = folder,
