@@ -176,6 +176,11 @@ TEST(Task1Distance, ASliceShowsTheDistanceToEveryTriangle) {
     const dvec3 lower = grid.lower, size = grid.cell * grid.size, upper = grid.upper();
     const double y = lower.y + 0.55 * size.y;
     const SliceTruth slice(blockers, grid, y);
+    Box box;
+    for (const Mesh& mesh : blockers)
+        for (const vec3 p : mesh.positions) box.include(p);
+    const dvec3 middle = box.center(), half = 0.5 * dvec3(box.upper - box.lower);
+    const double aside = std::max(std::abs(y - middle.y) - half.y, 0.0);
     Image truth(256, 256, 1);
     for (int j = 0; j < 256; ++j)
         for (int i = 0; i < 256; ++i) {
@@ -183,7 +188,12 @@ TEST(Task1Distance, ASliceShowsTheDistanceToEveryTriangle) {
             const dvec2 p = dvec2(lower.x, lower.z) + part * dvec2(size.x, size.z);
             const dvec2 q = glm::clamp(p, dvec2(lower.x, lower.z), dvec2(upper.x, upper.z));
             const double there = slice.at(q.x, q.y);
-            truth.at(i, j) = float(p == q ? there : std::hypot(glm::length(p - q), there));
+            // Outside the grid a point is as far as the blockers' own box, too.
+            const dvec2 beside =
+                glm::max(glm::abs(p - dvec2(middle.x, middle.z)) - dvec2(half.x, half.z), 0.0);
+            truth.at(i, j) = float(p == q ? there
+                                          : std::max(std::hypot(glm::length(p - q), there),
+                                                     std::hypot(beside.x, beside.y, aside)));
         }
     EXPECT_IMAGE_NEAR(
         frame.at("distance"), truth,

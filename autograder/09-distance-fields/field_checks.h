@@ -57,7 +57,7 @@ double leastRatio(const std::function<double(double)>& distance, double first, d
 //        +-------+      bottom
 //     -----------+---------  ground
 struct SlabStage {
-    static constexpr double kLightHeight = 8, kLightWidth = 1.5, kTop = 4;
+    static constexpr double kLightHeight = 9, kLightWidth = 1.5, kTop = 4;
     double thickness = 1, turnRadians = 0;
 
     static Light light();
