@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "core/metrics.h"
+#include "core/truths.h"
 #include "soft_frames.h"
 #include "truth/closed_form.h"
-#include "truth/visibility.h"
 
 namespace penumbra {
 namespace {
@@ -108,9 +108,8 @@ TEST(Task4SoftShadow, TheFilterIsAsWideAsThePenumbra) {
 }
 
 TEST(Task4SoftShadow, AHalfPlanesPenumbraIsALinearRamp) {
-    const Scene scene = loadScene("halfplane");
-    const RayTracer tracer(scene);
-    const Receivers receivers = tracer.receivers(scene.camera, kSmall);
+    const TracedScene traced(loadScene("halfplane"), kSmall);
+    const Receivers& receivers = traced.receivers();
     const Rendered frame = render({.scene = "halfplane", .size = kSmall});
     double sum = 0, count = 0;
     for (std::size_t i = 0; i < receivers.positions.size(); ++i) {
@@ -127,8 +126,8 @@ TEST(Task4SoftShadow, AHalfPlanesPenumbraIsALinearRamp) {
 
 TEST(Task4SoftShadow, WithoutABlockerOnlyTheHorizonCutsTheLight) {
     for (const Scene& scene : {bareGround(), loadScene("tilted@85"), settingLight()}) {
-        const RayTracer tracer(scene);
-        const Receivers receivers = tracer.receivers(scene.camera, kSmall);
+        const TracedScene traced(scene, kSmall);
+        const Receivers& receivers = traced.receivers();
         Image truth(kSmall.x, kSmall.y, 1, 1.0f);
         for (std::size_t i = 0; i < truth.pixels.size(); ++i)
             if (receivers.hit[i])
@@ -157,10 +156,7 @@ TEST(Task4SoftShadow, ScalingTheWorldChangesNothing) {
 }
 
 TEST(Task4SoftShadow, ATinyLightCastsAHardShadowAndAHugeOneStaysFinite) {
-    const Scene scene = loadScene("boxes@4");
-    const RayTracer tracer(scene);
-    const Image hard =
-        pointVisibility(tracer, tracer.receivers(scene.camera, kSmall), scene.lights[0]);
+    const Image hard = TracedScene(loadScene("boxes@4"), kSmall).pointVisibility();
     const Rendered tiny =
         render({.scene = "boxes@4", .size = kSmall, .settings = {"light_size=0.001"}});
     EXPECT_VALUE(compareVisibility(tiny.at("visibility"), hard).rmse, LessOrEqual, 0.05,

@@ -56,7 +56,7 @@ Distribution biased(Distribution distribution, double alpha);
 // How far float32 may be off in a share, with moments that are biased by alpha: the matrix of the
 // moments has no eigenvalue below 0.168 alpha (0.168: that of -1, 0, 1 with shares 0.3, 0.4, 0.3),
 // and an error e in it makes one of e / 0.168 / alpha in a share.
-inline double shareRounding(double alpha) { return 2 * 6e-8 / (0.168 * alpha); }
+inline double shareRounding(double alpha) { return 4 * 6e-8 / (0.168 * alpha); }
 
 // The three depths that have these moments, one of them t: the other two in order, and what is
 // nearer than t. The moments' matrix must not be singular.

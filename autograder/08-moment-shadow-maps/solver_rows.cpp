@@ -23,7 +23,7 @@ const RowTolerance kThreePoints{
         "depths 0.25 apart with shares of 0.1 at least: moments rounded to 6e-8 move depths "
         "and shares by up to 1e-4, and the arithmetic rounds again"};
 const std::string kShareCause =
-    "1 is the rounding of moments and solver to 2 · 6e-8 over the smallest eigenvalue of the "
+    "1 is the rounding of moments and solver to 4 · 6e-8 over the smallest eigenvalue of the "
     "moments' matrix, 0.168 times the bias";
 
 double worstShare(const Rows& mine, const std::vector<Below>& truth,

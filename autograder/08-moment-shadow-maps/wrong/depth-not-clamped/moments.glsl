@@ -1,0 +1,5 @@
+// Fails: Task0.Unknown · depths outside [0,1] are not clamped
+vec4 depthMoments(float depth) {
+    float z = 2.0 * depth - 1.0;
+    return vec4(z, z * z, z * z * z, z * z * z * z);
+}
