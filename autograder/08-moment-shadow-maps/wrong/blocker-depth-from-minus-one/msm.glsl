@@ -1,4 +1,4 @@
-// Fails: Task0.Unknown · the blockers' depth is left in [-1,1]
+// Fails: Task4SoftShadow.AHalfPlanesPenumbraIsALinearRamp, Task4SoftShadow.ARefinementLooksThroughTheFirstBlockers, Task4SoftShadow.TheSearchWindowHoldsAllThatCanBlock, Task6WholeShadow.BoxesAgreeWithRays, Task6WholeShadow.FenceAgreesWithRays, Task6WholeShadow.FoliageAgreesWithRays, Task6WholeShadow.HausdorffIsCloserToRays, Task6WholeShadow.SixteenBitsAreEnough, Task6WholeShadow.StairsAgreeWithRays · the blockers' depth is left in [-1,1]
 #include "moment_shadow.glsl"
 #include "window.glsl"
 #include "quantize.glsl"

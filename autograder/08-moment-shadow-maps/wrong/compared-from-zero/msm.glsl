@@ -1,4 +1,4 @@
-// Fails: Task0.Unknown · a depth from 0 to 1 is compared with depths from -1 to 1
+// Fails: Task4SoftShadow.AHalfPlanesPenumbraIsALinearRamp, Task4SoftShadow.ARefinementLooksThroughTheFirstBlockers, Task4SoftShadow.ATinyLightCastsAHardShadowAndAHugeOneStaysFinite, Task4SoftShadow.TheFilterIsAsWideAsThePenumbra, Task4SoftShadow.TheSearchWindowHoldsAllThatCanBlock, Task4SoftShadow.WithoutABlockerOnlyTheHorizonCutsTheLight, Task6WholeShadow.BoxesAgreeWithRays, Task6WholeShadow.FenceAgreesWithRays, Task6WholeShadow.FoliageAgreesWithRays, Task6WholeShadow.HausdorffIsCloserToRays, Task6WholeShadow.SixteenBitsAreEnough, Task6WholeShadow.StairsAgreeWithRays · a depth from 0 to 1 is compared with depths from -1 to 1
 #include "moment_shadow.glsl"
 #include "window.glsl"
 #include "quantize.glsl"

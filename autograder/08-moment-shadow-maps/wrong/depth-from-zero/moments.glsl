@@ -1,4 +1,4 @@
-// Fails: Task0.Unknown · moments of a depth from 0 to 1, read as one from -1 to 1
+// Fails: Task1Moments.DepthsOutsideCountAsTheNearestInside, Task1Moments.EveryTexelHoldsThoseOfItsDepth, Task1Moments.TheyArePowersOfADepthFromMinusOneToOne, Task4SoftShadow.AHalfPlanesPenumbraIsALinearRamp, Task4SoftShadow.ARefinementLooksThroughTheFirstBlockers, Task4SoftShadow.TheFilterIsAsWideAsThePenumbra, Task4SoftShadow.TheSearchWindowHoldsAllThatCanBlock, Task6WholeShadow.BoxesAgreeWithRays, Task6WholeShadow.FenceAgreesWithRays, Task6WholeShadow.FoliageAgreesWithRays, Task6WholeShadow.HausdorffIsCloserToRays, Task6WholeShadow.SixteenBitsAreEnough, Task6WholeShadow.StairsAgreeWithRays · moments of a depth from 0 to 1, read as one from -1 to 1
 vec4 depthMoments(float depth) {
     float z = clamp(depth, 0.0, 1.0);
     return vec4(z, z * z, z * z * z, z * z * z * z);

@@ -1,4 +1,4 @@
-// Fails: Task0.Unknown · two of four points lie at the ends, even where three points inside are right
+// Fails: Task5Hausdorff.AtLeastHamburgersShareAndNeverMoreThanTheTrueOne, Task5Hausdorff.ThreeDepthsInsideOrFourWithTheEndsAreExact, Task6WholeShadow.HausdorffIsCloserToRays · two of four points lie at the ends, even where three points inside are right
 #include "hamburger.glsl"
 
 Blockers hausdorffBlockers(vec4 b, float t) {

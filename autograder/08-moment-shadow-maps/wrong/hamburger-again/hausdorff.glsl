@@ -1,4 +1,4 @@
-// Fails: Task0.Unknown · Hamburger's bound, whatever is known of the depths
+// Fails: Task5Hausdorff.AtLeastHamburgersShareAndNeverMoreThanTheTrueOne, Task5Hausdorff.ThreeDepthsInsideOrFourWithTheEndsAreExact, Task6WholeShadow.HausdorffIsCloserToRays · Hamburger's bound, whatever is known of the depths
 #include "hamburger.glsl"
 
 Blockers hausdorffBlockers(vec4 b, float t) {

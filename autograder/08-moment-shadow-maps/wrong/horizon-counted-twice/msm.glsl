@@ -1,4 +1,4 @@
-// Fails: Task0.Unknown · the finished visibility is cut by the horizon once more
+// Fails: Task4SoftShadow.WithoutABlockerOnlyTheHorizonCutsTheLight, Task6WholeShadow.BoxesAgreeWithRays, Task6WholeShadow.SixteenBitsAreEnough · the finished visibility is cut by the horizon once more
 #include "moment_shadow.glsl"
 #include "window.glsl"
 #include "quantize.glsl"

@@ -1,4 +1,4 @@
-// Fails: Task0.Unknown · the decoding matrix is transposed
+// Fails: Task2Quantization.DecodingGivesTheMomentsBack, Task6WholeShadow.SixteenBitsAreEnough · the decoding matrix is transposed
 const float kRoot = 1.7320508076;  // sqrt(3)
 
 vec4 quantizedMoments(vec4 b) {

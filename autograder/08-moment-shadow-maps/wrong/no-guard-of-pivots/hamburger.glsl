@@ -1,4 +1,4 @@
-// Fails: Task0.Unknown · pivots may be 0, and are divided by
+// Fails: Task3Hamburger.FiniteAndAShareForAnyMoments, Task5Hausdorff.FiniteAndAShareForAnyMoments · pivots may be 0, and are divided by
 #include "moment_shadow.glsl"
 
 // What is left of z and z² when lower powers have told all they can: q1 = z - E[z], q2 = z² - E[z²] - slope q1.

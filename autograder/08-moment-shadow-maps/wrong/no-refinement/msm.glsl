@@ -1,4 +1,4 @@
-// Fails: Task0.Unknown · the search window is never refined
+// Fails: Task4SoftShadow.ARefinementLooksThroughTheFirstBlockers, Task6WholeShadow.FenceAgreesWithRays, Task6WholeShadow.FoliageAgreesWithRays · the search window is never refined
 #include "moment_shadow.glsl"
 #include "window.glsl"
 #include "quantize.glsl"

@@ -1,4 +1,4 @@
-// Fails: Task0.Unknown · what lies at t itself counts as nearer
+// Fails: Task3Hamburger.FiniteAndAShareForAnyMoments, Task3Hamburger.NeverMoreThanTheTrueShareAndNoLessThanTheBound, Task3Hamburger.OneDepthOrTwoLoseOnlyTheBias, Task3Hamburger.SharesAndDepthsOfThreePointsAreExact, Task4SoftShadow.AHalfPlanesPenumbraIsALinearRamp, Task4SoftShadow.ATinyLightCastsAHardShadowAndAHugeOneStaysFinite, Task4SoftShadow.TheFilterIsAsWideAsThePenumbra, Task4SoftShadow.TheSearchWindowHoldsAllThatCanBlock, Task4SoftShadow.WithoutABlockerOnlyTheHorizonCutsTheLight, Task5Hausdorff.AtLeastHamburgersShareAndNeverMoreThanTheTrueOne, Task5Hausdorff.FiniteAndAShareForAnyMoments, Task5Hausdorff.ThreeDepthsInsideOrFourWithTheEndsAreExact, Task6WholeShadow.BoxesAgreeWithRays, Task6WholeShadow.FenceAgreesWithRays, Task6WholeShadow.FoliageAgreesWithRays, Task6WholeShadow.HausdorffIsCloserToRays, Task6WholeShadow.SixteenBitsAreEnough, Task6WholeShadow.StairsAgreeWithRays · what lies at t itself counts as nearer
 #include "moment_shadow.glsl"
 
 // What is left of z and z² when lower powers have told all they can: q1 = z - E[z], q2 = z² - E[z²] - slope q1.

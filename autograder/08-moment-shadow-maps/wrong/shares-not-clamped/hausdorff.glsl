@@ -1,4 +1,4 @@
-// Fails: Task0.Unknown · quotients of rounded numbers are not clamped, nor kept from 0 / 0
+// Fails: Task5Hausdorff.FiniteAndAShareForAnyMoments · quotients of rounded numbers are not clamped, nor kept from 0 / 0
 #include "hamburger.glsl"
 
 Blockers hausdorffBlockers(vec4 b, float t) {

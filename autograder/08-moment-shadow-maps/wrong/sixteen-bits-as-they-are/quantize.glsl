@@ -1,4 +1,4 @@
-// Fails: Task0.Unknown · each moment by itself in 16 bits
+// Fails: Task2Quantization.CodesAreThoseOfTheOptimisedBasis, Task2Quantization.DecodingGivesTheMomentsBack, Task6WholeShadow.SixteenBitsAreEnough · each moment by itself in 16 bits
 const float kRoot = 1.7320508076;  // sqrt(3)
 
 vec4 quantizedMoments(vec4 b) {

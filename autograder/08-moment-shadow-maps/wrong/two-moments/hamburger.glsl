@@ -1,4 +1,4 @@
-// Fails: Task0.Unknown · Chebyshev's bound, from two moments
+// Fails: Task3Hamburger.NeverMoreThanTheTrueShareAndNoLessThanTheBound, Task3Hamburger.OneDepthOrTwoLoseOnlyTheBias, Task3Hamburger.SharesAndDepthsOfThreePointsAreExact, Task4SoftShadow.ARefinementLooksThroughTheFirstBlockers, Task4SoftShadow.TheFilterIsAsWideAsThePenumbra, Task4SoftShadow.TheSearchWindowHoldsAllThatCanBlock, Task5Hausdorff.AtLeastHamburgersShareAndNeverMoreThanTheTrueOne, Task5Hausdorff.ThreeDepthsInsideOrFourWithTheEndsAreExact, Task6WholeShadow.FoliageAgreesWithRays, Task6WholeShadow.HausdorffIsCloserToRays, Task6WholeShadow.StairsAgreeWithRays · Chebyshev's bound, from two moments
 #include "moment_shadow.glsl"
 
 // What is left of z and z² when lower powers have told all they can: q1 = z - E[z], q2 = z² - E[z²] - slope q1.
