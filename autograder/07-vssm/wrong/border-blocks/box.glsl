@@ -1,0 +1,13 @@
+// Fails: Task3Boxes.BeyondTheBorderDepthIsOne, Task6SoftShadows.AHalfPlanesPenumbraIsALinearRamp, Task6SoftShadows.CellsCountByTheirShareOfBlockers, Task6SoftShadows.TheFirstWindowHoldsAllThatCanBlock, Task6SoftShadows.TheNextWindowIsAsWideAsWhatWasFound, Task6SoftShadows.WhereNothingBlocksTheHorizonAloneCounts · what lies beyond the map is a blocker at the light
+vec2 tableUv(vec2 corner, vec2 texelSizeUv) { return (corner - 0.5) * texelSizeUv; }
+
+vec2 boxSum(vec2 lowLow, vec2 highLow, vec2 lowHigh, vec2 highHigh) { return highHigh - lowHigh - highLow + lowLow; }
+
+vec2 withBorder(vec2 meanInside, float shareInside, float center) {
+    float border = -center;
+    return mix(vec2(border, border * border), meanInside, shareInside);
+}
+
+vec2 meanVariance(vec2 moments, float center, float minVariance) {
+    return vec2(moments.x + center, max(moments.y - moments.x * moments.x, minVariance));
+}
