@@ -10,6 +10,7 @@
 #include "core/grade.h"
 #include "core/handout_hash.h"
 #include "core/mistakes.h"
+#include "core/output_folder.h"
 #include "core/report.h"
 
 namespace penumbra {
@@ -18,7 +19,7 @@ namespace {
 
 struct Options {
     bool solution = false;
-    std::string mistake, submission, out, only, truthCache, shaderCache, expectSame;
+    std::string mistake, submission, out, only, truthCache, shaderCache, expectSame, record;
     bool expectMistake = false, expectNotStarted = false;
     bool handoutHashes = false, buildOnly = false;
 };
@@ -39,6 +40,7 @@ void declare(CLI::App& app, Options& o) {
     app.add_option("--shader-cache", o.shaderCache,
                    "keep compiled shaders and distance fields in this folder for later runs; the "
                    "programs under test write there");
+    app.add_option("--record", o.record, "also write every comparison with its pictures here");
     app.add_flag("--expect-mistake", o.expectMistake, "succeed if exactly the named checks fail")
         ->needs(mistake);
     app.add_flag("--expect-not-started", o.expectNotStarted, "succeed if no task has been started");
@@ -144,6 +146,7 @@ int run(const Place& place, const Options& o) {
                       .picturesOfPassed = !o.expectMistake,  // a test's report is seldom read
                       .truthCache = o.truthCache});
     writeReports(o.out, grade);
+    if (!o.record.empty()) writeText(o.record, recordJson(grade));
     printTable(grade, o.out);
     if (o.expectMistake) return compareWithMistake(place, o.mistake, grade);
     if (!o.expectSame.empty()) return compareWithEarlier(o.expectSame, o.out);

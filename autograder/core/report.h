@@ -21,6 +21,8 @@ void printTable(const GradeRecord& grade, const std::filesystem::path& out);
 
 std::string resultsJson(
     const GradeRecord& grade);  // gradescope-autograders.readthedocs.io, Output Format
+// Every comparison with its pictures: for our own pages (the zoo), not for a platform.
+std::string recordJson(const GradeRecord& grade);
 std::string junitXml(const GradeRecord& grade);
 // One file: no script, no link but to the handout, pictures inside. `out` is where it will stand.
 std::string reportHtml(const GradeRecord& grade, const std::filesystem::path& out);

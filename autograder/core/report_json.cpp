@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/base64.h"
 #include "core/report.h"
 
 namespace penumbra {
@@ -70,6 +71,33 @@ std::string resultsJson(const GradeRecord& grade) {
                                     {"verdicts", verdicts}}}};
     // Words of a student's program need not be UTF-8.
     return results.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::string recordJson(const GradeRecord& grade) {
+    ordered_json checks = ordered_json::array();
+    for (const auto& task : grade.tasks)
+        for (const auto& check : task.checks) {
+            ordered_json comparisons = ordered_json::array();
+            for (const auto& c : check.comparisons)
+                comparisons.push_back({{"subject", c.subject},
+                                       {"measured", c.measured},
+                                       {"tolerance", c.tolerance},
+                                       {"cause", c.cause},
+                                       {"passed", c.passed},
+                                       {"mine", base64(c.mine)},
+                                       {"truth", base64(c.truth)},
+                                       {"difference", base64(c.difference)}});
+            checks.push_back({{"check", check.suite + "." + check.name},
+                              {"sentence", check.sentence},
+                              {"section", check.section},
+                              {"verdict", toString(check.verdict)},
+                              {"reasons", check.reasons},
+                              {"comparisons", comparisons}});
+        }
+    return ordered_json{
+               {"assignment", grade.assignment}, {"variant", grade.variant}, {"checks", checks}}
+               .dump(2, ' ', false, ordered_json::error_handler_t::replace) +
+           "\n";
 }
 
 std::string junitXml(const GradeRecord& grade) {

@@ -1,0 +1,56 @@
+// `./course zoo`: every hard case, naive variant and solution side by side.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "core/error.h"
+#include "core/output_folder.h"
+#include "scene/gallery.h"
+#include "zoo/zoo.h"
+
+namespace penumbra {
+namespace {
+
+int zoo(const std::filesystem::path& out) {
+    const auto cases = zooCases();
+    if (cases.empty()) throw Error("nothing to show", "autograder/", "this tree has no zoo.json");
+    Progress progress("zoo", long(cases.size()));
+    const auto rows = zooRows(PENUMBRA_BUILD, cases, progress);
+    OutputFolder folder(out);
+    writeText(folder.file("zoo.json"), zooJson(rows));
+    writeText(folder.file("zoo.html"), zooHtml(rows));
+    folder.commit();
+    for (const ZooRow& r : rows)
+        if (!r.holds())
+            fmt::print("{} · {}: naive {}, solution {}\n", r.which.assignment, r.which.failure,
+                       r.naive.passed ? "keeps the bound" : "breaks it",
+                       r.solution.passed ? "keeps it" : "breaks it");
+    const auto holding =
+        std::count_if(rows.begin(), rows.end(), [](const ZooRow& r) { return r.holds(); });
+    fmt::print("{} of {} cases hold\n{}\n", holding, rows.size(), (out / "zoo.html").string());
+    return holding == std::ptrdiff_t(rows.size()) ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace penumbra
+
+int main(int argc, char** argv) {
+    CLI::App app("Hard cases: naive variant, solution and bound");
+    std::string out = (penumbra::repositoryRoot() / "out/zoo").string();
+    app.add_option("--out", out, "folder of zoo.html and zoo.json");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::CallForHelp& e) {
+        return app.exit(e);
+    } catch (const CLI::ParseError& e) {
+        fmt::print(stderr, "error: {}; see --help\n", e.what());
+        return 2;
+    }
+    try {
+        return penumbra::zoo(out);
+    } catch (const std::exception& e) {
+        fmt::print(stderr, "error: {}\n", e.what());
+        return 2;
+    }
+}
