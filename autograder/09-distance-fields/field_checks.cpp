@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "core/metrics.h"
 #include "truth/closed_form.h"
@@ -112,8 +113,10 @@ GroundPixels::GroundPixels(const Scene& scene, glm::ivec2 size) : mask(size.x, s
 
 double errorAgainstRays(const std::string& scene, const SettingList& settings) {
     constexpr glm::ivec2 kSize{256, 256};
-    const Image truth = TracedScene(loadScene(scene), kSize).areaVisibility(144);
     const Rendered frame = render({.scene = scene, .size = kSize, .settings = settings});
+    static std::map<std::string, Image> truths;  // several methods are held against one
+    Image& truth = truths[scene];
+    if (truth.empty()) truth = TracedScene(loadScene(scene), kSize).areaVisibility(144);
     return compareVisibility(frame.at("visibility"), truth).rmse;
 }
 

@@ -24,8 +24,8 @@ struct VariantProgram {
     std::filesystem::path executable = {};
     std::vector<std::filesystem::path> layers = {};
     std::string broken = "";  // it could not be built: "does not compile: depth_bias.cpp:12: …"
-    // Where Mesa keeps compiled shaders, and given code distance fields, for other runs; "" = in the
-    // scratch folder, for this one.
+    // Where Mesa keeps compiled shaders, and given code distance fields, for other runs; "" = in
+    // the scratch folder, for this one.
     std::filesystem::path shaderCache = {};
 };
 
