@@ -176,12 +176,13 @@ TEST(Task8WholeShadow, BothMethodsCountAlike) {
     for (const char* scene : {"foliage", "stairs@3", "sun@2"}) {
         const auto counts = [&](const char* method) {
             return render({.scene = scene,
-                           .size = {kSize, kSize},
+                           .size = {kCountSize, kCountSize},
                            .settings = {method},
                            .images = {"stencil_count"}})
                 .at("stencil_count");
         };
-        const Receivers receivers = TracedScene(loadScene(scene), {kSize, kSize}).receivers();
+        const Receivers receivers =
+            TracedScene(loadScene(scene), {kCountSize, kCountSize}).receivers();
         const Image before = counts("method=zpass");
         EXPECT_IMAGE_NEAR(before, counts("method=zfail"),
                           {.maximum = 0,
@@ -201,7 +202,7 @@ TEST(Task8WholeShadow, CullingLeavesNoTrace) {
         const auto frame = [&](SettingList settings) {
             settings.emplace_back(time);
             return render({.scene = "courtyard",
-                           .size = {kSize, kSize},
+                           .size = {kCountSize, kCountSize},
                            .settings = settings,
                            .images = {"visibility", "color"}});
         };

@@ -228,7 +228,7 @@ bool sameSurface(const Receivers& r, std::size_t i, std::size_t k) {
 
 }  // namespace
 
-RayPicture::RayPicture(const Scene& scene, glm::ivec2 size) : interior(size.x, size.y, 1, 1.0f) {
+RayPicture::RayPicture(const Scene& scene, glm::ivec2 size) {
     const TracedScene traced(scene, size);
     receivers = traced.receivers();
     for (std::size_t light = 0; light < scene.lights.size(); ++light)
@@ -236,14 +236,21 @@ RayPicture::RayPicture(const Scene& scene, glm::ivec2 size) : interior(size.x, s
     const auto index = [&](int x, int y) {
         return std::size_t(y) * std::size_t(size.x) + std::size_t(x);
     };
-    for (int y = 0; y < size.y; ++y)
-        for (int x = 0; x < size.x; ++x)
-            for (int py = std::max(0, y - 1); py <= std::min(size.y - 1, y + 1); ++py)
-                for (int px = std::max(0, x - 1); px <= std::min(size.x - 1, x + 1); ++px) {
-                    bool same = sameSurface(receivers, index(x, y), index(px, py));
-                    for (const Image& v : visibility) same = same && v.at(x, y) == v.at(px, py);
-                    if (!same) interior.at(x, y) = 0.0f;
-                }
+    const auto inside = [&](int x, int y) {
+        for (int py = std::max(0, y - 1); py <= std::min(size.y - 1, y + 1); ++py)
+            for (int px = std::max(0, x - 1); px <= std::min(size.x - 1, x + 1); ++px) {
+                if (!sameSurface(receivers, index(x, y), index(px, py))) return false;
+                for (const Image& v : visibility)
+                    if (v.at(x, y) != v.at(px, py)) return false;
+            }
+        return true;
+    };
+    interior = cached(TruthKey("interior", scene, size), [&] {
+        Image mask(size.x, size.y, 1);
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x) mask.at(x, y) = inside(x, y) ? 1.0f : 0.0f;
+        return mask;
+    });
 }
 
 bool edgeAround(const Scene& scene, glm::ivec2 size, glm::ivec2 pixel, vec3 receiver) {
