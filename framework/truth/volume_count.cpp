@@ -51,7 +51,8 @@ int sideOfEdge(glm::vec3 point, glm::vec3 p, glm::vec3 q, glm::vec4 light) {
 }
 
 bool planeHolds(glm::vec3 point, const Caster& caster) {
-    const double rounding = std::ldexp(std::max(caster.size, largest(point)), -20);
+    constexpr double kRounding = 1.0 / (1 << 20);
+    const double rounding = kRounding * std::max(caster.size, largest(point));
     const glm::dvec3 apart = glm::dvec3(point) - glm::dvec3(caster.corners[0]);
     return std::abs(glm::dot(caster.normal, apart)) <= rounding;
 }
@@ -75,7 +76,7 @@ bool crosses(glm::vec3 point, glm::vec4 light, const Caster& caster) {
 
 // A tree of boxes, leaves of at most four casters.
 struct Node {
-    Box box;
+    glm::dvec3 lower, upper;             // a little larger than rounding can move the box
     std::uint32_t first = 0, count = 0;  // of casters; count 0: an inner node
     std::uint32_t second = 0;            // the inner node's second child; the first one follows it
 };
@@ -91,11 +92,12 @@ public:
     void alongSegment(glm::dvec3 point, glm::dvec3 along, double end, Visit visit) const {
         std::array<std::uint32_t, 64> stack;  // depth: at most 32, as halves of 2^32 casters
         std::size_t waiting = 0;
+        const glm::dvec3 perAlong = 1.0 / along;
         if (!nodes_.empty()) stack[waiting++] = 0;
         while (waiting > 0) {
             const std::uint32_t i = stack[--waiting];
             const Node& node = nodes_[i];
-            if (!meets(node.box, point, along, end)) continue;
+            if (!meets(node, point, along, perAlong, end)) continue;
             for (std::uint32_t k = 0; k < node.count; ++k) visit(casters_[node.first + k]);
             if (node.count == 0) stack[waiting++] = i + 1, stack[waiting++] = node.second;
         }
@@ -112,7 +114,9 @@ private:
             for (const glm::vec3 p : casters_[i].corners) box.include(p);
             middles.include(casters_[i].middle());
         }
-        nodes_[index].box = box;
+        const double room = 1e-6 * std::max(largest(box.lower), largest(box.upper));
+        nodes_[index].lower = glm::dvec3(box.lower) - room;
+        nodes_[index].upper = glm::dvec3(box.upper) + room;
         if (last - first <= kLeaf) {
             nodes_[index].first = first, nodes_[index].count = last - first;
             return index;
@@ -130,17 +134,17 @@ private:
         return index;
     }
 
-    // Slabs [Kay and Kajiya 1986], the box a little larger than rounding can move it.
-    static bool meets(const Box& box, glm::dvec3 point, glm::dvec3 along, double end) {
+    // Slabs [Kay and Kajiya 1986].
+    static bool meets(const Node& node, glm::dvec3 point, glm::dvec3 along, glm::dvec3 perAlong,
+                      double end) {
         double enter = 0.0, leave = end;
-        const double room = 1e-6 * std::max(largest(box.lower), largest(box.upper));
         for (int k = 0; k < 3; ++k) {
-            const double lower = double(box.lower[k]) - room, upper = double(box.upper[k]) + room;
             if (along[k] == 0.0) {
-                if (point[k] < lower || point[k] > upper) return false;
+                if (point[k] < node.lower[k] || point[k] > node.upper[k]) return false;
                 continue;
             }
-            const double a = (lower - point[k]) / along[k], b = (upper - point[k]) / along[k];
+            const double a = (node.lower[k] - point[k]) * perAlong[k];
+            const double b = (node.upper[k] - point[k]) * perAlong[k];
             enter = std::max(enter, std::min(a, b)), leave = std::min(leave, std::max(a, b));
         }
         return enter <= leave;
