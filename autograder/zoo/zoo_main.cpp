@@ -12,9 +12,14 @@
 namespace penumbra {
 namespace {
 
-int zoo(const std::filesystem::path& out) {
+int zoo(const std::filesystem::path& out, bool list) {
     const auto cases = zooCases();
     if (cases.empty()) throw Error("nothing to show", "autograder/", "this tree has no zoo.json");
+    if (list) {
+        for (const ZooCase& c : cases)
+            fmt::print("{:<24} {:<72} {}, {}\n", c.assignment, c.failure, c.check, c.naive);
+        return 0;
+    }
     Progress progress("zoo", long(cases.size()));
     const auto rows = zooRows(PENUMBRA_BUILD, cases, progress);
     OutputFolder folder(out);
@@ -39,6 +44,8 @@ int main(int argc, char** argv) {
     CLI::App app("Hard cases: naive variant, solution and bound");
     std::string out = (penumbra::repositoryRoot() / "out/zoo").string();
     app.add_option("--out", out, "folder of zoo.html and zoo.json");
+    bool list = false;
+    app.add_flag("--list", list, "name the cases, each checked against its grader's mistakes");
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp& e) {
@@ -48,7 +55,7 @@ int main(int argc, char** argv) {
         return 2;
     }
     try {
-        return penumbra::zoo(out);
+        return penumbra::zoo(out, list);
     } catch (const std::exception& e) {
         fmt::print(stderr, "error: {}\n", e.what());
         return 2;
