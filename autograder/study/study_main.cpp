@@ -57,7 +57,8 @@ void printTable(const StudyResults& results) {
 
 void study(const fs::path& build, const Options& o) {
     // Answers stay beside the output until all of it is there.
-    const fs::path out = fs::absolute(o.out).lexically_normal();
+    fs::path out = fs::absolute(o.out).lexically_normal();
+    if (!out.has_filename()) out = out.parent_path();  // "out/study/"
     const fs::path kept = out.parent_path() / (out.filename().string() + ".measured");
     if (!o.resume) fs::remove_all(kept);
     StudyRequest request{.programs = studyPrograms(build, o.names, o.submission),
