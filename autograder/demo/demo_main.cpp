@@ -122,7 +122,7 @@ void demo(const fs::path& build, const fs::path& out) {
 
 int main(int argc, char** argv) {
     CLI::App app("Grades and renders every solution, and makes one page of it");
-    std::string out = "out/demo";
+    std::string out = (penumbra::repositoryRoot() / "out/demo").string();
     app.add_option("--out", out, "folder of the page");
     CLI11_PARSE(app, argc, argv);
     try {
