@@ -76,7 +76,7 @@ while read -r setting minimum maximum; do
         inTheMiddle "$value" && break
     done
     xdotool mouseup 1
-    sleep 0.3  # ImGui 1.86 looks once a frame: a press right after would be the same press
+    sleep 1  # ImGui 1.86 looks once a frame, and a frame may take half a second: a press before it would be the same press
     inTheMiddle "$value" || fail "dragging $setting to the middle of $minimum … $maximum gave '$value'"
     waitFor '^frame ' "$seen"
     waitFor '^truth done' "$seen"

@@ -39,8 +39,8 @@ void AreaShadowMap::fit(const View& view, float biasTexels) {
 }
 
 void AreaShadowMap::render(const View& view) const {
-    const Program& opaque = view.shaders.program("shadow_map.vert", "depth.frag");
-    const Program& masked = view.shaders.program("shadow_map.vert", "depth_masked.frag");
+    const Program& opaque = view.shaders.program("area_shadow_map.vert", "depth.frag");
+    const Program& masked = view.shaders.program("area_shadow_map.vert", "depth_masked.frag");
     bindBlock(opaque);
     bindBlock(masked);
     beginOpaquePass();

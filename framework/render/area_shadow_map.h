@@ -1,7 +1,7 @@
 // The shadow map of an area light, seen from its centre, and how wide the light looks in it.
 //
 //   AreaShadowMap map(512);
-//   map.fit(view, 1.0f);                  // frustum and bias: the block of shadow_map.glsl
+//   map.fit(view, 1.0f);                  // frustum and bias: the block of area_shadow_map.glsl
 //   map.render(view);                     // depth
 //   map.bind(program, 0);                 // block ShadowMap, texture shadowMap
 #pragma once
@@ -14,7 +14,7 @@
 
 namespace penumbra {
 
-struct ShadowMapBlock {  // shadow_map.glsl
+struct ShadowMapBlock {  // area_shadow_map.glsl
     glm::mat4 clipFromWorld;
     glm::vec2 texelSizeUv;
     glm::vec2 widthScaleUv;
@@ -36,8 +36,9 @@ public:
     void fit(const View& view, float biasTexels);
     void render(const View& view) const;  // after fit()
 
-    // For programs that read shadow_map.glsl. The texture is sampled at the nearest texel; beyond
-    // the border depth is 1: nothing blocks there. The sampler stays at `unit` until release().
+    // For programs that read area_shadow_map.glsl. The texture is sampled at the nearest texel;
+    // beyond the border depth is 1: nothing blocks there. The sampler stays at `unit` until
+    // release().
     void bindBlock(const Program& program) const { block_.bind(program, "ShadowMap", 2); }
     void bind(const Program& program, int unit) const;
     static void release(int unit) { glBindSampler(GLuint(unit), 0); }

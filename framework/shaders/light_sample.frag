@@ -1,6 +1,6 @@
 // One hard shadow: whether each receiver sees one point of the light. Blended, so that the points add up to visibility.
 #include "light.glsl"
-#include "shadow_map.glsl"
+#include "area_shadow_map.glsl"
 
 uniform sampler2D receiverPosition;  // world_receivers.frag
 uniform sampler2D receiverNormal;

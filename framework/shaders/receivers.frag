@@ -1,7 +1,7 @@
 // What the camera sees, before any shadow: its light, and its place in the light's map.
 #include "camera.glsl"
 #include "shading.glsl"
-#include "shadow_map.glsl"
+#include "area_shadow_map.glsl"
 
 in vec3 worldPosition;
 in vec3 vertexNormal;

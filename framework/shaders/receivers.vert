@@ -1,6 +1,6 @@
 // A surface as the camera sees it, with its place in the light's view.
 #include "camera.glsl"
-#include "shadow_map.glsl"
+#include "area_shadow_map.glsl"
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;

@@ -1,5 +1,5 @@
 // What the light's map knows, and your dials. Twin: SoftShadowBlock in soft_shadow.h.
-#include "shadow_map.glsl"
+#include "area_shadow_map.glsl"
 
 layout(std140) uniform SoftShadow {
     vec2 filterWidthUv;     // of plain PCF, where no blocker is searched                    [uv]

@@ -1,6 +1,6 @@
 // What the light's map knows, your dials, and the functions that the settings choose. Twin: VarianceShadowBlock in
 // variance_shadow.h.
-#include "shadow_map.glsl"
+#include "area_shadow_map.glsl"
 
 layout(std140) uniform VarianceShadow {
     vec2 filterWidthUv;     // width=fixed, and image mean_variance                          [uv]

@@ -1,7 +1,7 @@
 // What the light's map and its moments know, and your dials. Twin: MomentShadowBlock in moment_shadow.h.
 //
 // Depths d of the map are in [0,1]; moments are of z = 2 d - 1, in [-1,1]: b = (E[z], E[z²], E[z³], E[z⁴]).
-#include "shadow_map.glsl"
+#include "area_shadow_map.glsl"
 
 layout(std140) uniform MomentShadow {
     vec2 filterWidthUv;     // filter=fixed: width of the box                                [uv]

@@ -1,5 +1,5 @@
 // The scene from the light.
-#include "shadow_map.glsl"
+#include "area_shadow_map.glsl"
 
 layout(location = 0) in vec3 position;
 layout(location = 2) in vec2 uv;
