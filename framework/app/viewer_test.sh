@@ -3,11 +3,12 @@
 # picture, a broken shader shows an overlay that goes when it is mended, keys choose views and save the
 # window.
 #
-#   viewer_test.sh PROGRAM SHADER   SHADER: a .glsl file of the student's that the program uses
+#   viewer_test.sh PROGRAM SHADER …   SHADER: the student's .glsl files; the program uses one at least
 #
 # Exit code 77: skipped. Waits for lines of PENUMBRA_UI_LOG, never for a time.
 set -u
-program=$1 shader=$2
+program=$1
+shift
 for tool in Xvfb xdotool; do
     command -v $tool > /dev/null || { echo "SKIP: $tool is not installed"; exit 77; }
 done
@@ -46,8 +47,7 @@ read -r -t 15 number < "$folder/display" || fail "Xvfb did not start"
 export DISPLAY=:$number LP_NUM_THREADS=1
 
 mkdir "$folder/layer"
-cp "$shader" "$folder/layer/"
-broken=$folder/layer/$(basename "$shader")
+cp "$@" "$folder/layer/"
 touch "$log"
 cd "$folder" || exit 1
 PENUMBRA_UI_LOG=$log "$program" open --scene boxes --layer "$folder/layer" > "$folder/stdout" 2>&1 &
@@ -86,13 +86,15 @@ done < <("$program" list | awk '$3 == "…" { print $1, $2, $4 }')
 [ -n "$moved" ] || fail "no slider changes the picture"
 echo "slider: $moved, mean visibility ${before##* } -> ${after##* }"
 
-# A typing error in the student's file, on the line after its last.
+# A typing error in the student's files, on the line after the last.
 seen=$(lines)
-printf 'float blokcer( { return 0.0; }\n' >> "$broken"
-waitFor "^overlay .*$(basename "$broken"):$(wc -l < "$broken"): " "$seen"
+for file in "$folder"/layer/*.glsl; do printf 'float blokcer( { return 0.0; }\n' >> "$file"; done
+waitFor '^overlay .*\.glsl:[0-9]+: ' "$seen"
+named=$(last '^overlay ' | grep -oE '[A-Za-z0-9_]+\.glsl:[0-9]+' | head -n 1)
+[ "${named#*:}" = "$(wc -l < "$folder/layer/${named%:*}")" ] || fail "the overlay names $named"
 echo "overlay: $(last '^overlay ')"
 seen=$(lines)
-cp "$shader" "$broken"
+cp "$@" "$folder/layer/"
 waitFor '^overlay gone' "$seen"
 waitFor '^frame ' "$seen"
 

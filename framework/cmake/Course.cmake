@@ -74,9 +74,8 @@ function(course_add_window_test assignment program solution)
   if(NOT shaders OR NOT UNIX OR APPLE)
     return()
   endif()
-  list(GET shaders 0 shader)
   add_test(NAME ${assignment}.window COMMAND ${PENUMBRA_FRAMEWORK}/app/viewer_test.sh
-                                           $<TARGET_FILE:${program}> ${shader})
+                                           $<TARGET_FILE:${program}> ${shaders})
   set_tests_properties(${assignment}.window PROPERTIES TIMEOUT 120 SKIP_RETURN_CODE 77)
 endfunction()
 
