@@ -1,8 +1,9 @@
 // Task 7a · n x n samples of [-1/2, 1/2]² of which no two share a row or a column.         README §7
 //   cell      (i, j), each of 0 … n - 1
 //   inverse   1 / n
-// Returns a point in the cell (i, j) of a grid of n x n: the j-th row's points are moved along by j / n² + 1 / (2 n²),
-// and the i-th column's by i / n² + 1 / (2 n²). So n² different places meet an edge along either axis, not n.
+// Returns a point in the cell (i, j) of a grid of n x n, counted from that cell's lower left corner: j / n² + 1 / (2 n²)
+// along x, the same for all of row j, and i / n² + 1 / (2 n²) along y, the same for all of column i. So n² different
+// places meet an edge along either axis, not n.
 vec2 shearedGrid(vec2 cell, float inverse) {
     return (cell + 0.5) * inverse - 0.5;  // yours; this is the plain grid
 }

@@ -169,9 +169,30 @@ TEST(Task5Pcss, ATinyLightCastsAHardShadowAndAHugeOneStaysFinite) {
     EXPECT_VALUE(*high, LessOrEqual, 1, "a share");
 }
 
+// A wall hides all of the light that stands over the ground; the rest is below the horizon.
+void expectNothingFromBelowTheHorizon() {
+    Scene scene = settingLight();
+    scene.name = "setting light behind a wall";
+    scene.meshes.push_back(box({-8.0f, 0.0f, -2.6f}, {8.0f, 4.0f, -2.5f}, 0));
+    const Receivers receivers = TracedScene(scene, kSmall).receivers();
+    Image mask(kSmall.x, kSmall.y, 1);
+    for (std::size_t i = 0; i < mask.pixels.size(); ++i)
+        mask.pixels[i] = receivers.hit[i] && receivers.positions[i].y < 1e-3f &&
+                         receivers.positions[i].z > -2.4f;
+    const Rendered frame = render({.scene = sceneFile(scene), .size = kSmall});
+    EXPECT_IMAGE_NEAR(frame.at("visibility"), Image(kSmall.x, kSmall.y, 1),
+                      {.outliers = 0,
+                       .outlierDistance = 0.25,
+                       .cause = "ground before a wall that hides all of the light above the "
+                                "horizon: a third of the light, below it, must not shine; a "
+                                "filter somewhat too wide is another check's matter"},
+                      mask);
+}
+
 TEST(Task5Pcss, TheHorizonIsCountedOnce) {
     expectHorizonOnly(loadScene("tilted@85"), {});
     expectHorizonOnly(settingLight(), {});
+    expectNothingFromBelowTheHorizon();
 }
 
 }  // namespace

@@ -1,16 +1,5 @@
 #include "soft_shadow.glsl"
-
-// Share of the square [-1/2, 1/2]² where height.x + s height.y + t height.z > 0: a ramp, integrated twice. Where the
-// horizon cuts the square, the steeper slope is not small beside height.x; the other may be 0.
-float shareAboveHorizon(vec3 height) {
-    vec2 slope = abs(height.yz);
-    float reach = 0.5 * (slope.x + slope.y);
-    if (abs(height.x) >= reach) return height.x > 0.0 ? 1.0 : 0.0;
-    slope = max(slope, 1e-3 * max(slope.x, slope.y));
-    vec4 ramp = max(height.x + 0.5 * vec4(slope.x + slope.y, slope.y - slope.x, slope.x - slope.y, -slope.x - slope.y), 0.0);
-    ramp *= ramp;
-    return clamp((ramp.x - ramp.y - ramp.z + ramp.w) / (2.0 * slope.x * slope.y), 0.0, 1.0);
-}
+#include "light_share.glsl"
 
 float backprojectedVisibility(Receiver receiver) {
     vec2 window = searchWindowUv(receiver);

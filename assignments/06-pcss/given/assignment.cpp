@@ -66,7 +66,7 @@ private:
 
 void Pcss::settings(Settings& s) {
     s.choice({.name = "method",
-              .help = "PCSS; one filter width everywhere; depths averaged first; bonus",
+              .help = "PCSS; one filter width everywhere; depths averaged first; Task 9",
               .value = 0,
               .choices = {"pcss", "pcf", "filtered_depth", "backprojection"}});
     s.choice({.name = "map_size",

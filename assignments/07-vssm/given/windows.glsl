@@ -1,6 +1,7 @@
 // A window of the map is cut into n x n cells. Each has a box of its own, and a part of the light.
 #include "variance_shadow.glsl"
 #include "box.glsl"
+#include "light_share.glsl"
 
 struct Window {
     vec2 low;           // corner [texels]
@@ -34,15 +35,8 @@ float blockedBelow(Receiver receiver, vec2 offsetUv) {
     return receiver.uvDepth.z + min(dot(receiver.slope, offsetUv), 0.0) - receiver.bias;
 }
 
-// Share of a cell of the light, n x n of which make the whole, that stands over the receiver's plane. Over the cell the
-// height is a ramp; its positive part, integrated along both sides, is four squares.
+// Share of a cell of the light, n x n of which make the whole, that stands over the receiver's plane.
 float shareAboveHorizon(Receiver receiver, vec2 middle, float inverse) {
     float height = receiver.lightHeight.x + dot(receiver.lightHeight.yz, middle);
-    vec2 slope = inverse * abs(receiver.lightHeight.yz);
-    float reach = 0.5 * (slope.x + slope.y);
-    if (abs(height) >= reach) return height > 0.0 ? 1.0 : 0.0;
-    slope = max(slope, 1e-3 * max(slope.x, slope.y));
-    vec4 corners = vec4(slope.x + slope.y, slope.x - slope.y, slope.y - slope.x, -slope.x - slope.y);
-    vec4 above = max(height + 0.5 * corners, 0.0);
-    return clamp(dot(above * above, vec4(1.0, -1.0, -1.0, 1.0)) / (2.0 * slope.x * slope.y), 0.0, 1.0);
+    return shareAboveHorizon(vec3(height, inverse * receiver.lightHeight.yz));
 }

@@ -1,7 +1,7 @@
 // Where a ray comes nearest to a blocker, that blocker's edge draws a line across the light.
 #include "receiver.glsl"
 #include "edge.glsl"
-#include "horizon.glsl"
+#include "light_share.glsl"
 
 const float kCorner = 1.4142136;   // the light's corners are so much farther from its centre than its edges
 const float kAcross = 0.7;         // see trusted

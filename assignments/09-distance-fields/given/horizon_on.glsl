@@ -1,4 +1,4 @@
 #include "receiver.glsl"
-#include "horizon.glsl"
+#include "light_share.glsl"
 
 float lightAboveHorizon(Receiver receiver) { return shareAboveHorizon(receiver.lightHeight); }

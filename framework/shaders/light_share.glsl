@@ -1,5 +1,7 @@
-// Share of the square [-1/2, 1/2]² where height.x + s height.y + t height.z > 0: a ramp, integrated twice. Where a line
-// cuts the square, the steeper slope is not small beside height.x; the other may be 0.
+// Share of the square [-1/2, 1/2]² where height.x + s height.y + t height.z > 0. Summed over the square, a step becomes a
+// ramp along s, and half a square along t: what is left are four squares, one for each corner. Wholly above or below, all
+// four nearly cancel, so that comes first; where the line cuts the square, the steeper slope is not small beside height.x,
+// and the other may be 0.
 float shareAboveHorizon(vec3 height) {
     vec2 slope = abs(height.yz);
     float reach = 0.5 * (slope.x + slope.y);
