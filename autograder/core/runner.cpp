@@ -109,11 +109,12 @@ RunOutcome run(const VariantProgram& program, std::vector<std::string> arguments
     arguments.insert(arguments.end(), {"--frame-file", file.string()});
     for (const auto& layer : program.layers)
         arguments.insert(arguments.end(), {"--layer", layer.string()});
-    std::vector<std::string> environment;
+    std::vector<std::string> environment = program.environment;
     if (!program.shaderCache.empty())
-        environment = {"MESA_SHADER_CACHE_DIR=" + program.shaderCache.string(),
-                       "MESA_SHADER_CACHE_MAX_SIZE=256M",
-                       "PENUMBRA_CACHE=" + (program.shaderCache / "penumbra").string()};
+        environment.insert(environment.end(),
+                           {"MESA_SHADER_CACHE_DIR=" + program.shaderCache.string(),
+                            "MESA_SHADER_CACHE_MAX_SIZE=256M",
+                            "PENUMBRA_CACHE=" + (program.shaderCache / "penumbra").string()});
     const auto process = runProcess({.program = program.executable,
                                      .arguments = arguments,
                                      .folder = folder,

@@ -27,6 +27,7 @@ struct VariantProgram {
     // Where Mesa keeps compiled shaders, and given code distance fields, for other runs; "" = in
     // the scratch folder, for this one.
     std::filesystem::path shaderCache = {};
+    std::vector<std::string> environment = {};  // NAME=value, of the child alone
 };
 
 // An image of the frame: a name is enough where it has the frame's size.

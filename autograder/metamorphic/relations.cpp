@@ -1,0 +1,331 @@
+#include "metamorphic/relations.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "core/truths.h"
+#include "metamorphic/transforms.h"
+#include "scene/gallery.h"
+
+namespace penumbra {
+
+namespace {
+
+constexpr glm::ivec2 kSize{64, 64};
+
+bool differs(float a, float b) { return std::abs(a - b) > kVisible; }
+
+Difference difference(const Image& a, const Image& b) {
+    EXPECTS(a.sameShape(b));
+    Difference result;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        result.any += a.pixels[i] != b.pixels[i];
+        result.visible += differs(a.pixels[i], b.pixels[i]);
+        result.most = std::max(result.most, std::abs(a.pixels[i] - b.pixels[i]));
+    }
+    return result;
+}
+
+Difference worse(const Difference& a, const Difference& b) {
+    return {std::max(a.any, b.any), std::max(a.visible, b.visible), std::max(a.most, b.most)};
+}
+
+std::vector<std::string> joined(std::vector<std::string> a, const std::vector<std::string>& b) {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+}
+
+// One method of one program under one driver.
+class Studio {
+public:
+    Studio(GradingSession& session, std::string driver, std::vector<std::string> settings)
+        : session_(session), driver_(std::move(driver)), settings_(std::move(settings)) {}
+
+    std::shared_ptr<const FrameFile> frame(const Scene& scene, glm::ivec2 size = kSize,
+                                           const std::vector<std::string>& more = {}) const {
+        auto result = session_.render({.scene = session_.sceneFile(scene),
+                                       .size = size,
+                                       .settings = joined(settings_, more),
+                                       .images = {"visibility", "depth"}});
+        const std::string& renderer = result->info.at("renderer");
+        if (renderer.find(driver_) == std::string::npos)
+            throw Error("not the driver that was asked for", renderer + " instead of " + driver_,
+                        "install Mesa's software rasterisers (libosmesa6)");
+        return result;
+    }
+
+    Image picture(const Scene& scene, glm::ivec2 size = kSize,
+                  const std::vector<std::string>& more = {}) const {
+        return frame(scene, size, more)->images.at("visibility");
+    }
+
+    Difference between(const Scene& a, const Scene& b) const {
+        return difference(picture(a), picture(b));
+    }
+
+private:
+    GradingSession& session_;
+    std::string driver_;
+    std::vector<std::string> settings_;
+};
+
+// Pixels at (x, y) of one picture against (x - by, y - by) of the other, where both are.
+Difference shifted(const Image& a, const Image& b, int by) {
+    const int width = a.width - by, height = a.height - by;
+    Image from(width, height, 1), to(width, height, 1);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            from.at(x, y) = a.at(x + by, y + by);
+            to.at(x, y) = b.at(x, y);
+        }
+    return difference(from, to);
+}
+
+// Not lit or dark as all its 5 x 5 neighbours are.
+bool nearAnEdge(const Image& truth, int x, int y) {
+    for (int j = -2; j <= 2; ++j)
+        for (int i = -2; i <= 2; ++i) {
+            const int u = std::clamp(x + i, 0, truth.width - 1);
+            const int v = std::clamp(y + j, 0, truth.height - 1);
+            if (truth.at(u, v) != truth.at(x, y)) return true;
+        }
+    return false;
+}
+
+double meanDifference(const Image& a, const Image& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) sum += std::abs(a.pixels[i] - b.pixels[i]);
+    return sum / double(a.pixels.size());
+}
+
+struct Measured {
+    Difference difference;
+    std::string trouble = "";
+};
+
+Measured scale(const Studio& studio, const Scene& scene) {
+    return {
+        worse(studio.between(scene, scaled(scene, 10)), studio.between(scene, scaled(scene, -10)))};
+}
+
+Measured translation(const Studio& studio, const Scene& scene) {
+    return {studio.between(scene, moved(scene, {96, -64, 128}))};
+}
+
+Measured texels(const Studio& studio, const Scene&) {
+    const Image before = studio.picture(sheetScene(0), glm::ivec2(kStepPicture));
+    const Image after = studio.picture(sheetScene(1), glm::ivec2(kStepPicture));
+    const auto [least, most] = std::minmax_element(before.pixels.begin(), before.pixels.end());
+    return {shifted(before, after, kStepPixels), *least < *most ? "" : "the sheet has no shadow"};
+}
+
+Measured halfTurn(const Studio& studio, const Scene& scene) {
+    return {studio.between(scene, turned(scene, quarterTurns(2)))};
+}
+
+Measured quarterTurn(const Studio& studio, const Scene& scene) {
+    return {studio.between(scene, turned(scene, quarterTurns(1)))};
+}
+
+Measured anyTurn(const Studio& studio, const Scene& scene) {
+    return {studio.between(scene, turned(scene, obliqueTurn()))};
+}
+
+Measured order(const Studio& studio, const Scene& scene) {
+    return {studio.between(scene, reversed(scene))};
+}
+
+Measured limit(const Studio& studio, const Scene& scene,
+               const std::vector<std::vector<std::string>>& steps) {
+    const Image rays = TracedScene(scene, kSize).pointVisibility();
+    Measured result;
+    double before = 1e30;
+    for (const auto& step : steps) {
+        const Image image = studio.picture(scene, kSize, step);
+        const double distance = meanDifference(image, rays);
+        if (!(distance < before))
+            result.trouble = fmt::format("not nearer: {:.5f} after {:.5f}", distance, before);
+        before = distance;
+        result.difference = {};
+        for (int y = 0; y < kSize.y; ++y)
+            for (int x = 0; x < kSize.x; ++x)
+                if (!nearAnEdge(rays, x, y)) {
+                    const float off = std::abs(image.at(x, y) - rays.at(x, y));
+                    result.difference.any += off > 0;
+                    result.difference.visible += off > kVisible;
+                    result.difference.most = std::max(result.difference.most, off);
+                }
+    }
+    return result;
+}
+
+// What a slab brightens where the camera sees the same surface with and without it.
+Difference brightened(const Studio& studio, const Scene& scene, const Box& slab) {
+    const auto before = studio.frame(withSpecks(scene, slab));
+    const auto after = studio.frame(withSlab(scene, slab));
+    const Image &without = before->images.at("visibility"), &with = after->images.at("visibility");
+    Difference result;
+    for (std::size_t i = 0; i < with.pixels.size(); ++i) {
+        if (before->images.at("depth").pixels[i] != after->images.at("depth").pixels[i]) continue;
+        const float more = with.pixels[i] - without.pixels[i];
+        result.any += more > 0;
+        result.visible += more > kVisible;
+        result.most = std::max(result.most, more);
+    }
+    return result;
+}
+
+Measured blockerApart(const Studio& studio, const Scene&) {
+    return {brightened(studio, twoBoxes(), lowBox())};
+}
+
+Measured anyBlocker(const Studio& studio, const Scene& scene) {
+    return {brightened(studio, scene, slabBeforeTheLight(scene))};
+}
+
+struct Relation {
+    std::string name;
+    Measured (*measure)(const Studio&, const Scene&);  // null: below, since it asks for more
+    bool ownScene = false;
+};
+
+const std::vector<Relation>& relations() {
+    static const std::vector<Relation> all = {{"scale", scale},
+                                              {"translation", translation},
+                                              {"texels", texels, true},
+                                              {"half turn", halfTurn},
+                                              {"quarter turn", quarterTurn},
+                                              {"turn", anyTurn},
+                                              {"blocker", blockerApart, true},
+                                              {"any blocker", anyBlocker},
+                                              {"order", order},
+                                              {"limit", nullptr},
+                                              {"driver", nullptr}};
+    return all;
+}
+
+// Pictures by method and scene, from the driver that others are held against.
+using Pictures = std::map<std::string, Image>;
+constexpr const char* kFirstDriver = "llvmpipe";
+
+class Trial {
+public:
+    Trial(const RelationsRequest& request, const std::string& driver)
+        : request_(request), driver_(driver), session_([&] {
+              VariantProgram program = request.program;
+              program.environment = driverEnvironment(driver);
+              return program;
+          }()) {
+        for (const std::string& name : request.plan.scenes) {
+            scenes_.push_back(onGrid(loadScene(name)));
+            if (driver != kFirstDriver) break;  // softpipe is ten times slower
+        }
+    }
+
+    Pictures pictures() {
+        Pictures result;
+        for (const MetamorphicMethod& method : methods())
+            for (const Scene& scene : scenes_)
+                if (asked("driver", method))
+                    result[method.name + scene.name] = studio(method).picture(scene);
+        return result;
+    }
+
+    std::vector<Outcome> run(const Pictures& others) {
+        std::vector<Outcome> outcomes;
+        for (const MetamorphicMethod& method : methods())
+            for (const Relation& relation : relations()) {
+                if (!asked(relation.name, method)) continue;
+                if (relation.name == "driver" && driver_ == kFirstDriver) continue;
+                for (const Scene& scene : scenes_) {
+                    outcomes.push_back(tried(relation, method, scene, others));
+                    if (relation.ownScene) break;
+                }
+            }
+        return outcomes;
+    }
+
+private:
+    Studio studio(const MetamorphicMethod& method) {
+        return Studio(session_, driver_, method.settings);
+    }
+
+    std::vector<MetamorphicMethod> methods() const {
+        std::vector<MetamorphicMethod> chosen;
+        for (const MetamorphicMethod& m : request_.plan.methods)
+            if (request_.onlyMethod.empty() || request_.onlyMethod == m.name) chosen.push_back(m);
+        return chosen;
+    }
+
+    bool asked(const std::string& relation, const MetamorphicMethod& method) const {
+        if (!request_.only.empty() && request_.only != relation) return false;
+        const Allowance* a = request_.plan.allowance(relation, method.name, request_.driver);
+        return !a || a->pixels >= 0;
+    }
+
+    Measured measure(const Relation& relation, const MetamorphicMethod& method, const Scene& scene,
+                     const Pictures& others) {
+        const Studio view = studio(method);
+        if (relation.measure) return relation.measure(view, scene);
+        if (relation.name == "limit") return limit(view, scene, method.limit);
+        return {difference(view.picture(scene), others.at(method.name + scene.name))};
+    }
+
+    Outcome tried(const Relation& relation, const MetamorphicMethod& method, const Scene& scene,
+                  const Pictures& others) {
+        Outcome outcome{.relation = relation.name,
+                        .method = method.name,
+                        .scene = relation.ownScene ? "" : scene.name,
+                        .measured = {},
+                        .allowance = request_.plan.allowance(relation.name, method.name, driver_)};
+        session_.begin("Metamorphic", relation.name);
+        try {
+            const Measured measured = measure(relation, method, scene, others);
+            outcome.measured = measured.difference;
+            outcome.trouble = measured.trouble;
+        } catch (const NoFrame& e) {
+            outcome.trouble = e.what();
+        }
+        session_.end();
+        return outcome;
+    }
+
+    static std::vector<std::string> driverEnvironment(const std::string& driver) {
+        // Both rasterisers answer through Mesa's own context. softpipe calls itself 3.3, and knows
+        // enough of 4.1.
+        return {"PENUMBRA_CONTEXT=osmesa", "GALLIUM_DRIVER=" + driver,
+                "MESA_GL_VERSION_OVERRIDE=4.1", "MESA_GLSL_VERSION_OVERRIDE=410"};
+    }
+
+    const RelationsRequest& request_;
+    std::string driver_;
+    GradingSession session_;
+    std::vector<Scene> scenes_;
+};
+
+}  // namespace
+
+const std::vector<std::string>& relationNames() {
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all;
+        for (const Relation& relation : relations()) all.push_back(relation.name);
+        return all;
+    }();
+    return names;
+}
+
+bool Outcome::holds() const {
+    if (!trouble.empty()) return false;
+    return allowance ? measured.visible <= allowance->pixels : measured.any == 0;
+}
+
+std::vector<Outcome> tryRelations(const RelationsRequest& request) {
+    Pictures others;
+    if (request.driver != kFirstDriver) others = Trial(request, kFirstDriver).pictures();
+    return Trial(request, request.driver).run(others);
+}
+
+}  // namespace penumbra
