@@ -10,7 +10,8 @@ struct Blockers {
 
 // Task 6a · blockers in a window around the receiver, cell by cell.                        README §6, [Yang 2010]
 //   widthUv   full width of the window                                                     [uv]
-// Walks over shadow.searchCells² cells as filter.glsl does. In each: what does chebyshev() leave lit of what is not
+// Walks over shadow.searchCells² cells as filter.glsl does, but of wholeTexelsAround(), side by wholeSideOf(): see
+// windows.glsl. In each: what does chebyshev() leave lit of what is not
 // nearer than blockedBelow(), and at which mean depth is the rest? Returns the mean share, and the mean depth weighted
 // by each cell's share.
 Blockers blockersInWindow(Receiver receiver, vec2 widthUv) {

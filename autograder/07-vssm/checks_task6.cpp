@@ -13,6 +13,9 @@ namespace {
 constexpr glm::ivec2 kFrame{128, 128};
 constexpr int kMap = 512;
 constexpr double kLeastWidth = 4.0 / kMap, kMinVariance = 1e-6;
+// A float32 corner of a map of 512 is good to 3e-5 texels; a depth that is good to 1e-4 moves an
+// edge of the next window, up to 150 texels wide, by 1e-2.
+constexpr double kRoundingTexels = 0.02;
 
 SettingList bare(SettingList more) {
     for (const char* setting :
@@ -47,13 +50,19 @@ public:
     void expectTwin() const;
 
 private:
-    // README §6, in float64. The plates are parallel to the light: none rises over its window.
-    Blockers inWindow(dvec2 uv, double receiver, dvec2 width) const {
+    // README §6, in float64. The plates are parallel to the light: none rises over its window. No
+    // answer where a float32 may round an edge of the window to another texel than this does.
+    std::optional<Blockers> inWindow(dvec2 uv, double receiver, dvec2 width) const {
+        const dvec2 low = (uv - 0.5 * width) * double(kMap), high = low + width * double(kMap);
+        const dvec2 cells = (high - glm::floor(low)) / double(cells_);
+        const dvec2 nearest = glm::min(glm::abs(low - glm::round(low)),
+                                       glm::abs(cells - glm::round(cells)) * double(cells_));
+        if (std::min(nearest.x, nearest.y) < kRoundingTexels) return {};
+        const dvec2 corner = glm::floor(low) / double(kMap), cell = glm::ceil(cells) / double(kMap);
         Blockers found;
         for (int j = 0; j < cells_; ++j)
             for (int i = 0; i < cells_; ++i) {
-                const dvec2 middle = uv + ((dvec2(i, j) + 0.5) / double(cells_) - 0.5) * width;
-                dvec2 box = boxes_.meanVariance(middle, width / double(cells_));
+                dvec2 box = boxes_.meanVariance(corner + (dvec2(i, j) + 0.5) * cell, cell);
                 box.y = std::max(box.y, kMinVariance);
                 const double lit = upperBound(receiver, box);
                 if (lit > 0.999) continue;
@@ -68,11 +77,11 @@ private:
     // A twin where every window holds enough blockers that its float32 table tells their depth.
     std::optional<Blockers> search(dvec2 uv, double receiver) const {
         dvec2 window = receiver * scaleUv_;
-        Blockers found;
+        std::optional<Blockers> found;
         for (int query = 0; query < queries_; ++query) {
             found = inWindow(uv, receiver, glm::max(window, kLeastWidth));
-            if (found.share < 0.02) return {};
-            window = glm::min(window, 1.5 * (receiver - found.depth) * scaleUv_);
+            if (!found || found->share < 0.02) return {};
+            window = glm::min(window, 1.5 * (receiver - found->depth) * scaleUv_);
         }
         return found;
     }

@@ -32,6 +32,7 @@ struct Side {
 
 // Chunks behind these signatures are linked in, as the settings say.
 Side sideAt(vec2 low, vec2 high);                          // prefilter
+Side wholeSideAt(vec2 low, vec2 high);                     // prefilter: of ends that lie on corners of texels
 vec2 meanBetween(Side left, Side right);                   // prefilter: moments, mean over the box
 float litShare(vec2 centerUv, vec2 widthUv, vec2 meanVariance, float depth);  // estimate: share of a box's depths that are not below `depth`
 float softVisibility(Receiver receiver);                   // width

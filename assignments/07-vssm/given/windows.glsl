@@ -14,10 +14,24 @@ Window windowAround(vec2 centerUv, vec2 widthUv, float inverse) {
     return Window((centerUv - 0.5 * widthUv) * shadow.mapSize, width, 1.0 / (width.x * width.y));
 }
 
+// The least window of whole texels that holds it, for whom parts of texels do not matter: a look-up then reads one texel
+// and not four.
+Window wholeTexelsAround(vec2 centerUv, vec2 widthUv, float inverse) {
+    vec2 middle = centerUv * shadow.mapSize, reach = 0.5 * widthUv * shadow.mapSize;
+    vec2 low = floor(middle - reach), width = ceil((middle + reach - low) * inverse);
+    return Window(low, width, 1.0 / (width.x * width.y));
+}
+
 // Left of column i in row j.
 Side sideOf(Window window, int i, int j) {
     vec2 low = window.low + vec2(i, j) * window.width, high = vec2(low.x, low.y + window.width.y);
     return sideAt(clamp(low, 0.0, shadow.mapSize), clamp(high, 0.0, shadow.mapSize));
+}
+
+// Likewise in a window of whole texels.
+Side wholeSideOf(Window window, int i, int j) {
+    vec2 low = window.low + vec2(i, j) * window.width, high = vec2(low.x, low.y + window.width.y);
+    return wholeSideAt(clamp(low, 0.0, shadow.mapSize), clamp(high, 0.0, shadow.mapSize));
 }
 
 vec2 meanVarianceBetween(Window window, Side left, Side right) {

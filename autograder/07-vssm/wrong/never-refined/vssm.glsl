@@ -11,11 +11,11 @@ struct Blockers {
 
 Blockers blockersInWindow(Receiver receiver, vec2 widthUv) {
     float inverse = 1.0 / float(shadow.searchCells), share = 0.0, sum = 0.0;
-    Window window = windowAround(receiver.uvDepth.xy, widthUv, inverse);
+    Window window = wholeTexelsAround(receiver.uvDepth.xy, widthUv, inverse);
     for (int j = 0; j < shadow.searchCells; ++j) {
-        Side left = sideOf(window, 0, j);
+        Side left = wholeSideOf(window, 0, j);
         for (int i = 0; i < shadow.searchCells; ++i) {
-            Side right = sideOf(window, i + 1, j);
+            Side right = wholeSideOf(window, i + 1, j);
             vec2 box = meanVarianceBetween(window, left, right);
             float depth = blockedBelow(receiver, cellMiddle(i, j, inverse) * widthUv);
             float lit = chebyshev(depth, box);
