@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/light_frustum.h"
 #include "render/passes.h"
 
 namespace penumbra {
@@ -24,15 +25,15 @@ AreaShadowMap::~AreaShadowMap() { glDeleteSamplers(1, &sampler_); }
 // 1/f)) in depth. So `biasTexels` of them are biasTexels texelTangent / (w (1/n - 1/f)), where 1/w
 // falls from 1/n at depth 0 to 1/f at depth 1.
 void AreaShadowMap::fit(const View& view, float biasTexels) {
-    frustum_ = areaLightFrustum(view);
+    const LightFrustum frustum = areaLightFrustum(view);
     const float texel = 1.0f / float(size());
-    const float inverseNear = 1 / frustum_.nearPlane, inverseFar = 1 / frustum_.farPlane;
-    const glm::vec2 tangents = frustum_.tangents();
+    const float inverseNear = 1 / frustum.nearPlane, inverseFar = 1 / frustum.farPlane;
+    const glm::vec2 tangents = frustum.tangents();
     const float bias =
         biasTexels * texel * std::max(tangents.x, tangents.y) / (inverseNear - inverseFar);
-    values_ = {.clipFromWorld = frustum_.clipFromView() * view.light.viewFromWorld(),
+    values_ = {.clipFromWorld = frustum.clipFromView() * view.light.viewFromWorld(),
                .texelSizeUv = glm::vec2(texel),
-               .widthScaleUv = frustum_.widthScaleUv(view.light.width),
+               .widthScaleUv = frustum.widthScaleUv(view.light.width),
                .biasAtZero = bias * inverseNear,
                .biasSlope = bias * (inverseFar - inverseNear)};
     block_.upload(values_);

@@ -9,7 +9,6 @@
 #include <cstddef>
 
 #include "gl/framebuffer.h"
-#include "render/light_frustum.h"
 #include "render/uniforms.h"
 
 namespace penumbra {
@@ -46,13 +45,11 @@ public:
     int size() const { return depth_.size().x; }
     const Texture& depth() const { return depth_; }
     const ShadowMapBlock& values() const { return values_; }
-    const LightFrustum& frustum() const { return frustum_; }
 
 private:
     Texture depth_;
     Framebuffer framebuffer_;
     GLuint sampler_ = 0;
-    LightFrustum frustum_;
     ShadowMapBlock values_{};
     UniformBuffer<ShadowMapBlock> block_;
 };

@@ -57,4 +57,26 @@ void ScreenTriangle::draw(const Program& program, const Framebuffer& target, Mix
     glDisable(GL_BLEND);
 }
 
+bool DeferredFrame::prepare(const View& view) {
+    camera_.upload(cameraBlock(view.camera, view.size));
+    light_.upload(lightBlock(view.light));
+    if (receivers_ && receivers_->depth.size() == view.size) return false;
+    receivers_.emplace(view.size);
+    shaded_.emplace(view.size);
+    return true;
+}
+
+void DeferredFrame::bindBlocks(const Program& program) const {
+    camera_.bind(program, "Camera", 0);
+    light_.bind(program, "Light", 1);
+}
+
+void DeferredFrame::output(Frame& frame) const {
+    frame.output("color", shaded_->color);
+    frame.output("visibility", shaded_->visibility);
+    frame.output("depth", receivers_->depth);
+    frame.output("receiver", receivers_->position);
+    frame.output("light_height", receivers_->lightHeight);
+}
+
 }  // namespace penumbra

@@ -1,14 +1,21 @@
 // Surfaces first, shadow after: visibility is computed once a pixel, whatever lies over what.
 //
-//   receivers.render(view, view.shaders.program("receivers.vert", "receivers.frag"));
-//   receivers.bind(shadow, 4);                   // texture units 4 to 7: receivers.glsl
-//   screen.draw(shadow, shaded.framebuffer);     // screen.vert, shadow_pass.frag
+//   deferred.prepare(view);
+//   deferred.bindBlocks(surfaces);                            // receivers.vert, receivers.frag
+//   deferred.receivers().render(view, surfaces);
+//   deferred.bindBlocks(shadow);                              // screen.vert, shadow_pass.frag
+//   deferred.receivers().bind(shadow, 4);                     // texture units 4 to 7:
+//   receivers.glsl deferred.screen().draw(shadow, deferred.shaded().framebuffer);
+//   deferred.output(frame);
 #pragma once
 
 #include <glad/gl.h>
 
+#include <optional>
+
 #include "gl/framebuffer.h"
 #include "render/frame.h"
+#include "render/uniforms.h"
 
 namespace penumbra {
 
@@ -44,6 +51,27 @@ public:
 
 private:
     GLuint vertexArray_ = 0;
+};
+
+// All of these for one picture, and the blocks that their shaders read. Made while a context is
+// current.
+class DeferredFrame {
+public:
+    // Blocks of this view, images of its size. True where the images are new.
+    bool prepare(const View& view);
+    void bindBlocks(const Program& program) const;  // Camera at 0, Light at 1
+    void output(Frame& frame) const;  // color, visibility, depth, receiver, light_height
+
+    const ReceiverImages& receivers() const { return *receivers_; }
+    const ShadedImages& shaded() const { return *shaded_; }
+    const ScreenTriangle& screen() const { return screen_; }
+
+private:
+    UniformBuffer<CameraBlock> camera_;
+    UniformBuffer<LightBlock> light_;
+    ScreenTriangle screen_;
+    std::optional<ReceiverImages> receivers_;
+    std::optional<ShadedImages> shaded_;
 };
 
 }  // namespace penumbra

@@ -45,10 +45,8 @@ public:
 
 private:
     struct Gl {  // made when a context is current
-        UniformBuffer<CameraBlock> camera;
-        UniformBuffer<LightBlock> light;
+        DeferredFrame deferred;
         UniformBuffer<SoftShadowBlock> dials;
-        ScreenTriangle screen;
     };
 
     void prepare(const View& view);
@@ -58,8 +56,6 @@ private:
 
     std::unique_ptr<Gl> gl_;
     std::unique_ptr<AreaShadowMap> map_;
-    std::unique_ptr<ReceiverImages> receivers_;
-    std::unique_ptr<ShadedImages> shaded_;
     std::unique_ptr<Inspection> inspection_;
     MinDepth minDepth_;
 };
@@ -119,23 +115,16 @@ void Pcss::prepare(const View& view) {
     if (!gl_) gl_ = std::make_unique<Gl>();
     const int size = 256 << view.settings.index("map_size");
     if (!map_ || map_->size() != size) map_ = std::make_unique<AreaShadowMap>(size);
-    if (!receivers_ || receivers_->depth.size() != view.size) {
-        receivers_ = std::make_unique<ReceiverImages>(view.size);
-        shaded_ = std::make_unique<ShadedImages>(view.size);
-        inspection_.reset();
-    }
+    if (gl_->deferred.prepare(view)) inspection_.reset();
     map_->fit(view, view.settings["constant_bias"]);
     SoftShadowBlock dials = softShadowBlock(view.settings, size);
     if (view.settings.on("pyramid"))
         dials.minTexelUv = minDepth_.prepare(size, map_->values().widthScaleUv);
     gl_->dials.upload(dials);
-    gl_->camera.upload(cameraBlock(view.camera, view.size));
-    gl_->light.upload(lightBlock(view.light));
 }
 
 void Pcss::bindBlocks(const Program& program) const {
-    gl_->camera.bind(program, "Camera", 0);
-    gl_->light.bind(program, "Light", 1);
+    gl_->deferred.bindBlocks(program);
     map_->bindBlock(program);
     gl_->dials.bind(program, "SoftShadow", 3);
 }
@@ -143,15 +132,15 @@ void Pcss::bindBlocks(const Program& program) const {
 void Pcss::surfacePass(const View& view) {
     const Program& program = view.shaders.program("receivers.vert", "receivers.frag");
     bindBlocks(program);
-    receivers_->render(view, program);
+    gl_->deferred.receivers().render(view, program);
 }
 
 void Pcss::screenPass(const Program& program, const Framebuffer& framebuffer) const {
     bindBlocks(program);
     map_->bind(program, 0);
-    receivers_->bind(program, 1);
+    gl_->deferred.receivers().bind(program, 1);
     if (minDepth_.image()) program.texture("minDepth", 5, *minDepth_.image());
-    gl_->screen.draw(program, framebuffer);
+    gl_->deferred.screen().draw(program, framebuffer);
     map_->release(0);
 }
 
@@ -164,13 +153,14 @@ void Pcss::render(const View& view, Frame& frame) {
     timed("light", [&] { map_->render(view); });
     const bool pyramid = view.settings.on("pyramid");
     if (pyramid)
-        timed("min", [&] { minDepth_.render(view.shaders, *map_, gl_->screen, gl_->dials); });
+        timed("min",
+              [&] { minDepth_.render(view.shaders, *map_, gl_->deferred.screen(), gl_->dials); });
     timed("surfaces", [&] { surfacePass(view); });
     const std::vector<std::string> chunks = chunksFor(view.settings);
     if (frame.wants("color") || frame.wants("visibility"))
         timed("shadow", [&] {
             screenPass(view.shaders.program("screen.vert", "shadow_pass.frag", chunks),
-                       shaded_->framebuffer);
+                       gl_->deferred.shaded().framebuffer);
         });
     if (frame.wants("blocker_depth") || frame.wants("penumbra_width") || frame.wants("search")) {
         if (!inspection_) inspection_ = std::make_unique<Inspection>(view.size);
@@ -180,12 +170,8 @@ void Pcss::render(const View& view, Frame& frame) {
         frame.output("penumbra_width", inspection_->penumbraWidth);
         frame.output("search", inspection_->search);
     }
-    frame.output("color", shaded_->color);
-    frame.output("visibility", shaded_->visibility);
-    frame.output("depth", receivers_->depth);
     frame.output("shadow_map", map_->depth());
-    frame.output("receiver", receivers_->position);
-    frame.output("light_height", receivers_->lightHeight);
+    gl_->deferred.output(frame);
     if (frame.wants("min_depth") && pyramid) frame.output("min_depth", *minDepth_.image());
     frame.output("light_clip_from_world", matrixImage(map_->values().clipFromWorld));
 }

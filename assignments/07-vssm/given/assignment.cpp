@@ -51,10 +51,8 @@ public:
 
 private:
     struct Gl {  // made when a context is current
-        UniformBuffer<CameraBlock> camera;
-        UniformBuffer<LightBlock> light;
+        DeferredFrame deferred;
         UniformBuffer<VarianceShadowBlock> dials;
-        ScreenTriangle screen;
     };
 
     void prepare(const View& view);
@@ -67,8 +65,6 @@ private:
     std::unique_ptr<Gl> gl_;
     std::unique_ptr<AreaShadowMap> map_;
     std::unique_ptr<MomentMaps> moments_;
-    std::unique_ptr<ReceiverImages> receivers_;
-    std::unique_ptr<ShadedImages> shaded_;
     std::unique_ptr<Inspection> inspection_;
     std::unique_ptr<MeanVariance> meanVariance_;
     VarianceShadowBlock dials_{};
@@ -160,20 +156,13 @@ void Vssm::prepare(const View& view) {
         moments_ = std::make_unique<MomentMaps>(size);
         meanVariance_.reset();
     }
-    if (!receivers_ || receivers_->depth.size() != view.size) {
-        receivers_ = std::make_unique<ReceiverImages>(view.size);
-        shaded_ = std::make_unique<ShadedImages>(view.size);
-        inspection_.reset();
-    }
+    if (gl_->deferred.prepare(view)) inspection_.reset();
     map_->fit(view, view.settings["constant_bias"]);
     dials_ = varianceShadowBlock(view.settings, *map_);
-    gl_->camera.upload(cameraBlock(view.camera, view.size));
-    gl_->light.upload(lightBlock(view.light));
 }
 
 void Vssm::bindBlocks(const Program& program) const {
-    gl_->camera.bind(program, "Camera", 0);
-    gl_->light.bind(program, "Light", 1);
+    gl_->deferred.bindBlocks(program);
     map_->bindBlock(program);
     gl_->dials.bind(program, "VarianceShadow", 3);
 }
@@ -181,27 +170,27 @@ void Vssm::bindBlocks(const Program& program) const {
 void Vssm::momentPasses(const View& view, Frame& frame) {
     {
         auto timing = frame.time("moments");
-        dials_.center = moments_->center(view, *map_, gl_->screen);
+        dials_.center = moments_->center(view, *map_, gl_->deferred.screen());
         gl_->dials.upload(dials_);
-        moments_->renderMoments(view, *map_, gl_->screen, gl_->dials);
+        moments_->renderMoments(view, *map_, gl_->deferred.screen(), gl_->dials);
         if (isExponential(view.settings))
-            moments_->renderWarped(view, *map_, gl_->screen, gl_->dials);
+            moments_->renderWarped(view, *map_, gl_->deferred.screen(), gl_->dials);
     }
     auto timing = frame.time("sat");
-    moments_->prefilter(view, gl_->screen, gl_->dials, dials_.integersPerUnit);
+    moments_->prefilter(view, gl_->deferred.screen(), gl_->dials, dials_.integersPerUnit);
 }
 
 void Vssm::surfacePass(const View& view) {
     const Program& program = view.shaders.program("receivers.vert", "receivers.frag");
     bindBlocks(program);
-    receivers_->render(view, program);
+    gl_->deferred.receivers().render(view, program);
 }
 
 void Vssm::screenPass(const Program& program, const Framebuffer& framebuffer) const {
     bindBlocks(program);
-    receivers_->bind(program, 1);
+    gl_->deferred.receivers().bind(program, 1);
     moments_->bind(program, 5);
-    gl_->screen.draw(program, framebuffer);
+    gl_->deferred.screen().draw(program, framebuffer);
 }
 
 // Images that nobody needs for the picture.
@@ -221,7 +210,7 @@ void Vssm::inspect(const View& view, Frame& frame) {
         frame.output("mean_variance", meanVariance_->texture);
     }
     if (frame.wants("sat") && hasIntegers(view.settings))
-        frame.output("sat", moments_->integers(view, gl_->screen));
+        frame.output("sat", moments_->integers(view, gl_->deferred.screen()));
     if (isExponential(view.settings)) frame.output("warped", moments_->warped());
     frame.output("moments", moments_->moments());
     frame.output("center", oneNumber(dials_.center));
@@ -243,15 +232,11 @@ void Vssm::render(const View& view, Frame& frame) {
         auto timing = frame.time("shadow");
         screenPass(
             view.shaders.program("screen.vert", "shadow_pass.frag", chunksFor(view.settings)),
-            shaded_->framebuffer);
+            gl_->deferred.shaded().framebuffer);
     }
     inspect(view, frame);
-    frame.output("color", shaded_->color);
-    frame.output("visibility", shaded_->visibility);
-    frame.output("depth", receivers_->depth);
     frame.output("shadow_map", map_->depth());
-    frame.output("receiver", receivers_->position);
-    frame.output("light_height", receivers_->lightHeight);
+    gl_->deferred.output(frame);
     frame.output("light_clip_from_world", matrixImage(map_->values().clipFromWorld));
 }
 

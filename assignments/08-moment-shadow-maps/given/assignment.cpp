@@ -46,10 +46,8 @@ public:
 
 private:
     struct Gl {  // made when a context is current
-        UniformBuffer<CameraBlock> camera;
-        UniformBuffer<LightBlock> light;
+        DeferredFrame deferred;
         UniformBuffer<MomentShadowBlock> dials;
-        ScreenTriangle screen;
     };
 
     void prepare(const View& view);
@@ -60,8 +58,6 @@ private:
 
     std::unique_ptr<Gl> gl_;
     std::unique_ptr<AreaShadowMap> map_;
-    std::unique_ptr<ReceiverImages> receivers_;
-    std::unique_ptr<ShadedImages> shaded_;
     std::unique_ptr<Inspection> inspection_;
     MomentMap moments_;
 };
@@ -131,22 +127,15 @@ void MomentShadowMaps::prepare(const View& view) {
     if (!gl_) gl_ = std::make_unique<Gl>();
     const int size = 256 << view.settings.index("map_size");
     if (!map_ || map_->size() != size) map_ = std::make_unique<AreaShadowMap>(size);
-    if (!receivers_ || receivers_->depth.size() != view.size) {
-        receivers_ = std::make_unique<ReceiverImages>(view.size);
-        shaded_ = std::make_unique<ShadedImages>(view.size);
-        inspection_.reset();
-    }
+    if (gl_->deferred.prepare(view)) inspection_.reset();
     map_->fit(view, view.settings["constant_bias"]);
     MomentShadowBlock dials = momentShadowBlock(view.settings, size);
     dials.unitsPerInteger = moments_.prepare(view.settings, *map_);
     gl_->dials.upload(dials);
-    gl_->camera.upload(cameraBlock(view.camera, view.size));
-    gl_->light.upload(lightBlock(view.light));
 }
 
 void MomentShadowMaps::bindBlocks(const Program& program) const {
-    gl_->camera.bind(program, "Camera", 0);
-    gl_->light.bind(program, "Light", 1);
+    gl_->deferred.bindBlocks(program);
     map_->bindBlock(program);
     gl_->dials.bind(program, "MomentShadow", 3);
 }
@@ -154,15 +143,15 @@ void MomentShadowMaps::bindBlocks(const Program& program) const {
 void MomentShadowMaps::surfacePass(const View& view) {
     const Program& program = view.shaders.program("receivers.vert", "receivers.frag");
     bindBlocks(program);
-    receivers_->render(view, program);
+    gl_->deferred.receivers().render(view, program);
 }
 
 void MomentShadowMaps::screenPass(const Program& program, const Framebuffer& framebuffer) const {
     bindBlocks(program);
     program.use();
     program.texture("sums", 0, moments_.sums());
-    receivers_->bind(program, 1);
-    gl_->screen.draw(program, framebuffer);
+    gl_->deferred.receivers().bind(program, 1);
+    gl_->deferred.screen().draw(program, framebuffer);
 }
 
 void MomentShadowMaps::inspect(const View& view, Frame& frame) {
@@ -182,25 +171,22 @@ void MomentShadowMaps::render(const View& view, Frame& frame) {
         pass();
     };
     timed("light", [&] { map_->render(view); });
-    timed("moments", [&] { moments_.render(view.shaders, view.settings, *map_, gl_->screen); });
+    timed("moments",
+          [&] { moments_.render(view.shaders, view.settings, *map_, gl_->deferred.screen()); });
     timed("sums", [&] { moments_.sum(); });
     timed("surfaces", [&] { surfacePass(view); });
     if (frame.wants("color") || frame.wants("visibility"))
         timed("shadow", [&] {
             screenPass(
                 view.shaders.program("screen.vert", "shadow_pass.frag", chunksFor(view.settings)),
-                shaded_->framebuffer);
+                gl_->deferred.shaded().framebuffer);
         });
     if (frame.wants("blocker_depth") || frame.wants("blocker_share") ||
         frame.wants("penumbra_width") || frame.wants("box_moments"))
         inspect(view, frame);
-    frame.output("color", shaded_->color);
-    frame.output("visibility", shaded_->visibility);
-    frame.output("depth", receivers_->depth);
     frame.output("shadow_map", map_->depth());
     frame.output("moments", moments_.stored());
-    frame.output("receiver", receivers_->position);
-    frame.output("light_height", receivers_->lightHeight);
+    gl_->deferred.output(frame);
     frame.output("light_clip_from_world", matrixImage(map_->values().clipFromWorld));
 }
 

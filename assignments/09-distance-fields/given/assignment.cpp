@@ -55,10 +55,8 @@ public:
 
 private:
     struct Gl {  // made when a context is current
-        UniformBuffer<CameraBlock> camera;
-        UniformBuffer<LightBlock> light;
+        DeferredFrame deferred;
         UniformBuffer<FieldBlock> field;
-        ScreenTriangle screen;
         Slice slice;
     };
 
@@ -69,8 +67,6 @@ private:
 
     std::unique_ptr<Gl> gl_;
     BlockerField field_;
-    std::unique_ptr<ReceiverImages> receivers_;
-    std::unique_ptr<ShadedImages> shaded_;
     std::unique_ptr<Inspection> inspection_;
 };
 
@@ -128,28 +124,21 @@ void DistanceFields::settings(Settings& s) {
 
 void DistanceFields::prepare(const View& view) {
     if (!gl_) gl_ = std::make_unique<Gl>();
-    if (!receivers_ || receivers_->depth.size() != view.size) {
-        receivers_ = std::make_unique<ReceiverImages>(view.size);
-        shaded_ = std::make_unique<ShadedImages>(view.size);
-        inspection_.reset();
-    }
+    if (gl_->deferred.prepare(view)) inspection_.reset();
     field_.prepare(view, 64 << view.settings.index("grid"));
     gl_->field.upload(fieldBlock(view.settings, field_));
-    gl_->camera.upload(cameraBlock(view.camera, view.size));
-    gl_->light.upload(lightBlock(view.light));
 }
 
 void DistanceFields::bindBlocks(const Program& program) const {
-    gl_->camera.bind(program, "Camera", 0);
-    gl_->light.bind(program, "Light", 1);
+    gl_->deferred.bindBlocks(program);
     gl_->field.bind(program, "Field", 3);
 }
 
 void DistanceFields::screenPass(const Program& program, const Framebuffer& framebuffer) const {
     bindBlocks(program);
-    receivers_->bind(program, 1);
+    gl_->deferred.receivers().bind(program, 1);
     program.texture("distanceField", 0, field_.texture());
-    gl_->screen.draw(program, framebuffer);
+    gl_->deferred.screen().draw(program, framebuffer);
 }
 
 void DistanceFields::inspect(const View& view, Frame& frame,
@@ -176,21 +165,17 @@ void DistanceFields::render(const View& view, Frame& frame) {
         const Program& program =
             view.shaders.program("field_receivers.vert", "field_receivers.frag");
         bindBlocks(program);
-        receivers_->render(view, program);
+        gl_->deferred.receivers().render(view, program);
     }
     const std::vector<std::string> chunks = chunksFor(view.settings);
     if (frame.wants("color") || frame.wants("visibility")) {
         auto timing = frame.time("shadow");
         screenPass(view.shaders.program("screen.vert", "shadow_pass.frag", chunks),
-                   shaded_->framebuffer);
+                   gl_->deferred.shaded().framebuffer);
     }
     inspect(view, frame, chunks);
     for (const std::string& note : field_.notes()) frame.note(note);
-    frame.output("color", shaded_->color);
-    frame.output("visibility", shaded_->visibility);
-    frame.output("depth", receivers_->depth);
-    frame.output("receiver", receivers_->position);
-    frame.output("light_height", receivers_->lightHeight);
+    gl_->deferred.output(frame);
     frame.output("field", fieldImage(field_.grid()));
 }
 

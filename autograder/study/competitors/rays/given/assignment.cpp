@@ -54,9 +54,8 @@ public:
         {
             auto timing = frame.time("surfaces");
             const Program& program = view.shaders.program("surface.vert", "world_receivers.frag");
-            gl_->camera.bind(program, "Camera", 0);
-            gl_->light.bind(program, "Light", 1);
-            receivers_->render(view, program);
+            deferred_->bindBlocks(program);
+            deferred_->receivers().render(view, program);
         }
         {
             auto timing = frame.time("rays");
@@ -65,40 +64,30 @@ public:
         if (frame.wants("color")) {
             auto timing = frame.time("shade");
             const Program& program = view.shaders.program("screen.vert", "apply_visibility.frag");
-            receivers_->bind(program, 0);
+            deferred_->receivers().bind(program, 0);
             program.texture("visibilityImage", 4, *visibility_);
-            gl_->screen.draw(program, shaded_->framebuffer);
+            deferred_->screen().draw(program, deferred_->shaded().framebuffer);
         }
-        frame.output("color", shaded_->color);
+        frame.output("color", deferred_->shaded().color);
         frame.output("visibility", *visibility_);
-        frame.output("depth", receivers_->depth);
+        frame.output("depth", deferred_->receivers().depth);
     }
 
 private:
-    struct Gl {  // made when a context is current
-        UniformBuffer<CameraBlock> camera;
-        UniformBuffer<LightBlock> light;
-        ScreenTriangle screen;
-    };
-
     void prepare(const View& view) {
-        if (!gl_) gl_ = std::make_unique<Gl>();
+        if (!deferred_) deferred_ = std::make_unique<DeferredFrame>();
         if (!tracer_ || revision_ != view.revision) {
             tracer_ = std::make_unique<RayTracer>(view.scene);
             revision_ = view.revision;
         }
-        if (!receivers_ || receivers_->depth.size() != view.size) {
-            receivers_ = std::make_unique<ReceiverImages>(view.size);
-            shaded_ = std::make_unique<ShadedImages>(view.size);
+        if (deferred_->prepare(view))
             visibility_ = std::make_unique<Texture>(
                 TextureDescription{.size = view.size, .format = GL_R32F, .label = "visibility"});
-        }
-        gl_->camera.upload(cameraBlock(view.camera, view.size));
-        gl_->light.upload(lightBlock(view.light));
     }
 
     Receivers seen() const {
-        const Image position = receivers_->position.read(), normal = receivers_->lightHeight.read();
+        const Image position = deferred_->receivers().position.read(),
+                    normal = deferred_->receivers().lightHeight.read();
         Receivers result;
         result.width = position.width, result.height = position.height;
         for (std::size_t i = 0; i < position.pixelCount(); ++i) {
@@ -125,11 +114,9 @@ private:
         return visibility;
     }
 
-    std::unique_ptr<Gl> gl_;
+    std::unique_ptr<DeferredFrame> deferred_;
     std::unique_ptr<RayTracer> tracer_;
     long revision_ = 0;
-    std::unique_ptr<ReceiverImages> receivers_;
-    std::unique_ptr<ShadedImages> shaded_;
     std::unique_ptr<Texture> visibility_;
 };
 

@@ -38,53 +38,39 @@ public:
         {
             auto timing = frame.time("surfaces");
             const Program& program = view.shaders.program("surface.vert", "world_receivers.frag");
-            gl_->camera.bind(program, "Camera", 0);
-            gl_->light.bind(program, "Light", 1);
-            receivers_->render(view, program);
+            deferred_->bindBlocks(program);
+            deferred_->receivers().render(view, program);
         }
         {
             auto timing = frame.time("maps");
-            light_->render(view, *receivers_);
+            light_->render(view, deferred_->receivers());
         }
         if (frame.wants("color")) {
             auto timing = frame.time("shade");
             const Program& program = view.shaders.program("screen.vert", "apply_visibility.frag");
-            receivers_->bind(program, 0);
+            deferred_->receivers().bind(program, 0);
             program.texture("visibilityImage", 4, light_->visibility());
-            gl_->screen.draw(program, shaded_->framebuffer);
+            deferred_->screen().draw(program, deferred_->shaded().framebuffer);
         }
-        frame.output("color", shaded_->color);
+        frame.output("color", deferred_->shaded().color);
         frame.output("visibility", light_->visibility());
-        frame.output("depth", receivers_->depth);
+        frame.output("depth", deferred_->receivers().depth);
     }
 
 private:
-    struct Gl {  // made when a context is current
-        UniformBuffer<CameraBlock> camera;
-        UniformBuffer<LightBlock> light;
-        ScreenTriangle screen;
-    };
-
     void prepare(const View& view) {
-        if (!gl_) gl_ = std::make_unique<Gl>();
+        if (!deferred_) deferred_ = std::make_unique<DeferredFrame>();
         const SampledLightDescription wanted = {.maps = kMaps[view.settings.index("maps")],
                                                 .mapSize = 256 << view.settings.index("map_size"),
                                                 .biasTexels = view.settings["constant_bias"]};
         if (!light_ || wanted != made_) light_ = std::make_unique<SampledLight>(wanted);
         made_ = wanted;
-        if (!receivers_ || receivers_->depth.size() != view.size) {
-            receivers_ = std::make_unique<ReceiverImages>(view.size);
-            shaded_ = std::make_unique<ShadedImages>(view.size);
-        }
-        gl_->camera.upload(cameraBlock(view.camera, view.size));
-        gl_->light.upload(lightBlock(view.light));
+        deferred_->prepare(view);
     }
 
-    std::unique_ptr<Gl> gl_;
+    std::unique_ptr<DeferredFrame> deferred_;
     SampledLightDescription made_;
     std::unique_ptr<SampledLight> light_;
-    std::unique_ptr<ReceiverImages> receivers_;
-    std::unique_ptr<ShadedImages> shaded_;
 };
 
 }  // namespace
