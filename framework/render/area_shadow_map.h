@@ -9,6 +9,7 @@
 #include <cstddef>
 
 #include "gl/framebuffer.h"
+#include "render/frame.h"
 #include "render/uniforms.h"
 
 namespace penumbra {
