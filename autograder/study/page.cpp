@@ -7,6 +7,7 @@
 #include "core/base64.h"
 #include "core/error.h"
 #include "scene/gallery.h"
+#include "study/style.h"
 
 namespace penumbra {
 
@@ -24,6 +25,12 @@ std::string studyHtml(const StudyResults& results) {
     auto json = nlohmann::ordered_json::parse(studyJson(results));
     for (const auto& [key, image] : results.pictures)
         json["pictures"][key] = base64(encodePng(image, Encoding::linear));
+    for (const CurveStyle& s : curveStyles(results))
+        json["styles"].push_back({{"program", s.program},
+                                  {"curve", s.curve},
+                                  {"color", s.color},
+                                  {"marker", s.marker},
+                                  {"dash", s.dash}});
     // Same order as in studyJson().
     for (std::size_t i = 0; i < results.points.size(); ++i)
         json["points"][i]["picture"] = results.points[i].picture;

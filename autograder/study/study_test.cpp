@@ -6,6 +6,7 @@
 #include "core/process.h"
 #include "study/page.h"
 #include "study/plan.h"
+#include "study/style.h"
 
 namespace penumbra {
 namespace {
@@ -68,6 +69,30 @@ TEST(StudyFiles, EveryCommaOfASettingStaysInItsField) {
     StudyResults results;
     results.points = {point("a", 1, 0.1)};
     EXPECT_NE(studyCsv(results).find("\"a=1,b=2\""), std::string::npos);
+}
+
+TEST(StudyStyle, TellsCurvesOfOneProgramByMarkerAndProgramsByColour) {
+    StudyResults results;
+    results.points = {point("a", 1, 0.1), point("a", 2, 0.1), point("a", 3, 0.1),
+                      point("a", 4, 0.1), point("b", 1, 0.1)};
+    results.points[1].curve = "PCF";
+    results.points[2].program = "submission";  // the same curve's name
+    results.points[3].program = "rays", results.points[3].competitor = true;
+    const auto styles = curveStyles(results);
+    ASSERT_EQ(styles.size(), 4u);
+    EXPECT_EQ(styles[0].color, styles[1].color);
+    EXPECT_NE(styles[0].marker, styles[1].marker);
+    EXPECT_NE(styles[0].color, styles[2].color);
+    EXPECT_EQ(styles[3].color, "var(--ink)");
+}
+
+TEST(StudyPicture, AnErrorOfZeroHasAPlaceOfItsOwn) {
+    StudyResults results;
+    results.points = {point("a", 1, 0.1), point("a", 2, 0)};
+    const std::string svg = studySvg(results);
+    EXPECT_NE(svg.find(">0</text>"), std::string::npos);
+    EXPECT_EQ(svg.find("inf"), std::string::npos);
+    EXPECT_EQ(svg.find("nan"), std::string::npos);
 }
 
 TEST(StudyFiles, ANoteCannotEndThePagesScript) {
