@@ -152,6 +152,8 @@ Texture& Texture::operator=(Texture&& other) noexcept {
 
 std::size_t Texture::liveBytes() { return liveTextureBytes; }
 
+void countTextureBytes(std::ptrdiff_t bytes) { liveTextureBytes += std::size_t(bytes); }
+
 bool Texture::isDepth() const {
     return transferOf(description_.format).format == GL_DEPTH_COMPONENT || hasStencil();
 }

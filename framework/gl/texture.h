@@ -6,6 +6,7 @@
 
 #include <glad/gl.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
@@ -55,12 +56,15 @@ public:
     bool holdsIntegers() const;
     int channels() const;
 
-    // Of all textures of this process, mip levels included.
+    // Of all textures of this process, mip levels and volumes included.
     static std::size_t liveBytes();
 
 private:
     GLuint id_ = 0;
     TextureDescription description_;
 };
+
+// What a texture of another kind adds to liveBytes() when it is made; negative when it goes.
+void countTextureBytes(std::ptrdiff_t bytes);
 
 }  // namespace penumbra

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "gl/texture.h"
 
 namespace penumbra {
 
@@ -11,6 +12,10 @@ namespace {
 
 std::size_t texelCount(glm::ivec3 size) {
     return std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z);
+}
+
+std::ptrdiff_t bytesOf(const VolumeDescription& d) {
+    return std::ptrdiff_t(texelCount(d.size)) * (d.format == GL_R16F ? 2 : 4);
 }
 
 }  // namespace
@@ -25,6 +30,7 @@ VolumeTexture::VolumeTexture(const VolumeDescription& description) : description
                     description.label, "stay within 1 to " + std::to_string(largest));
     EXPECTS(description.format == GL_R32F || description.format == GL_R16F);
     glGenTextures(1, &id_);
+    countTextureBytes(bytesOf(description));
     glBindTexture(GL_TEXTURE_3D, id_);
     glTexImage3D(GL_TEXTURE_3D, 0, GLint(description.format), size.x, size.y, size.z, 0, GL_RED,
                  GL_FLOAT, nullptr);
@@ -36,7 +42,9 @@ VolumeTexture::VolumeTexture(const VolumeDescription& description) : description
 }
 
 VolumeTexture::~VolumeTexture() {
-    if (id_) glDeleteTextures(1, &id_);
+    if (!id_) return;
+    glDeleteTextures(1, &id_);
+    countTextureBytes(-bytesOf(description_));
 }
 
 VolumeTexture::VolumeTexture(VolumeTexture&& other) noexcept

@@ -4,6 +4,7 @@
 #include "gl/framebuffer.h"
 #include "gl/program.h"
 #include "gl/test_context.h"
+#include "gl/texture.h"
 
 namespace penumbra {
 namespace {
@@ -73,6 +74,16 @@ TEST_F(VolumeTextureTest, IsSeenByAShaderFromTexelCentreToTexelCentre) {
 TEST_F(VolumeTextureTest, ASizeThatCannotBeIsAnError) {
     EXPECT_THROW(VolumeTexture({.size = {4, 0, 4}, .label = "flat"}), Error);
     EXPECT_THROW(VolumeTexture({.size = {1, 1, 1 << 30}, .label = "long"}), Error);
+}
+
+TEST_F(VolumeTextureTest, IsCountedAmongTheLiveBytes) {
+    const std::size_t before = Texture::liveBytes();
+    {
+        VolumeTexture half({.size = {4, 2, 8}, .format = GL_R16F, .label = "half"});
+        const VolumeTexture moved = std::move(half);
+        EXPECT_EQ(Texture::liveBytes(), before + 4 * 2 * 8 * 2);
+    }
+    EXPECT_EQ(Texture::liveBytes(), before);
 }
 
 TEST_F(VolumeTextureTest, IsMovedNotCopied) {
