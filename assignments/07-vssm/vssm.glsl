@@ -11,17 +11,17 @@ struct Blockers {
 // Task 6a · blockers in a window around the receiver, cell by cell.                        README §6, [Yang 2010]
 //   widthUv   full width of the window                                                     [uv]
 // Walks over shadow.searchCells² cells as filter.glsl does, but of wholeTexelsAround(), side by wholeSideOf(): see
-// windows.glsl. In each: what does chebyshev() leave lit of what is not
-// nearer than blockedBelow(), and at which mean depth is the rest? Returns the mean share, and the mean depth weighted
-// by each cell's share.
+// windows.glsl. In each, at its cellMiddle() times widthUv: what does chebyshev() leave lit of what is not nearer than
+// blockedBelow(), and at which mean depth is the rest? Returns the mean share, and the mean depth weighted by each cell's
+// share.
 Blockers blockersInWindow(Receiver receiver, vec2 widthUv) {
     return Blockers(0.0, 0.0);  // yours
 }
 
 // Task 6b · the search: first where blockers can be at all, then in a narrower window.     README §6
-// The first window is as wide as the light seen through the map's whole depth before the receiver; each of the further
-// shadow.queries is 1.5 times as wide as the penumbra of what the one before has found, and not wider than before.
-// None is narrower than shadow.leastWidthUv. A window without blockers ends the search.
+// shadow.queries windows in all. The first is as wide as the light seen through the map's whole depth before the receiver
+// (S is map.widthScaleUv); each of the others is 1.5 times as wide as the penumbra of what the one before has found, and
+// not wider than before. None is narrower than shadow.leastWidthUv. A window without blockers ends the search.
 Blockers findBlockers(Receiver receiver) {
     return blockersInWindow(receiver, shadow.leastWidthUv);  // yours
 }
