@@ -76,5 +76,28 @@ TEST(Task4ClosestApproach, WhereTheCirclesDoNotMeetBetweenOnlyTheLookUpCounts) {
                      {.components = 2, .cause = "the look-up is given back as it came"});
 }
 
+// A post that is a point in the ray's plane: whatever the steps, the march has its exact place.
+// What a later look-up may find instead is the sine of the same angle, not the tangent.
+TEST(Task4ClosestApproach, TheMarchCountsWhatLiesBetweenItsLookUps) {
+    Dice dice(43);
+    Rows centers, marches, truth;
+    for (int i = 0; i < kRows; ++i) {
+        const double along = dice(1, 3), tangent = dice(0.05, 0.1);
+        centers.emplace_back(dvec4(1 + tangent * along, -2, 3 + along, 0));
+        marches.emplace_back(dvec4(dice(0.05, 0.2), 2 * along, 0, 0));
+        truth.emplace_back(tangent);
+    }
+    const Rows marched = evaluate(
+        {.chunk = "analytic_approach.glsl",
+         .expression = "vec4(marchRoundedBox(a.xyz, vec3(0.0), 0.0, vec3(1.0, -2.0, 3.0), "
+                       "vec3(0.0, 0.0, 1.0), b.x, b.y, Limits(0.15, 0.0, 0.7, 0.001, 100)).ratio)",
+         .inputs = {{"a", centers}, {"b", marches}}});
+    EXPECT_ROWS_NEAR(marched, truth,
+                     {.absolute = 6e-4,
+                      .relative = 0,
+                      .cause = "between sine and tangent of an angle of at most 0.1: its cube's "
+                               "half, 5e-4, and float32"});
+}
+
 }  // namespace
 }  // namespace penumbra

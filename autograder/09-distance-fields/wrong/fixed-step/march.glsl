@@ -1,4 +1,4 @@
-// Fails: Task2March.ASphereIsMetAtItsClosedForm, Task2March.AlongAPlaneItLooksUpToTheEnd, Task2March.ItEndsWhereNothingDarkerCanCome, Task2March.StepsAreSoundAndAsLongAsAllowed, Task2March.TheErrorFallsWithTheSquareOfTheStepCap · steps have one length, whatever the distance
+// Fails: Task2March.ASphereIsMetAtItsClosedForm, Task2March.AlongAPlaneItLooksUpToTheEnd, Task2March.ItEndsWhereNothingDarkerCanCome, Task2March.StepsAreSoundAndAsLongAsAllowed, Task2March.TheErrorFallsWithTheSquareOfTheStepCap, Task4ClosestApproach.TheMarchCountsWhatLiesBetweenItsLookUps · steps have one length, whatever the distance
 #include "march_limits.glsl"
 
 float sceneDistance(vec3 p);

@@ -1,0 +1,29 @@
+// Fails: Task4ClosestApproach.TheMarchCountsWhatLiesBetweenItsLookUps · the closest distance is divided by the look-up's t, not by its own
+#include "march_limits.glsl"
+
+float sceneDistance(vec3 p);
+vec2 approachSince(float before, float here, float stepTaken);
+
+vec3 rayStart(vec3 position, vec3 normal, float offset) { return position + offset * normal; }
+
+float stepLength(float distance, float t, float ratio, float stepCap, float smallestStep) {
+    float sound = (distance - ratio * t) / (1.0 + ratio);
+    return max(max(sound, stepCap * abs(distance)), smallestStep);
+}
+
+Approach march(vec3 origin, vec3 direction, float first, float reach, Limits limits) {
+    Approach nearest = Approach(limits.highest, reach, 0.0);
+    float t = first, before = 0.0, stepTaken = 0.0;
+    for (int i = 0; i < limits.maxSteps; ++i) {
+        if (t >= reach || nearest.ratio <= limits.lowest) break;
+        float here = sceneDistance(origin + t * direction);
+        nearest.steps += 1.0;
+        vec2 since = approachSince(before, here, stepTaken);
+        float at = t - since.x, ratio = since.y / t;
+        if (ratio < nearest.ratio) nearest.ratio = ratio, nearest.t = at;
+        before = here;
+        stepTaken = stepLength(here, t, nearest.ratio, limits.stepCap, limits.smallestStep);
+        t += stepTaken;
+    }
+    return nearest;
+}
