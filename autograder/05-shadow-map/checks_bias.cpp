@@ -120,22 +120,6 @@ void expectNoAcne(const std::string& scene, const std::vector<std::string>& sett
                       {.outliers = 0, .outlierDistance = 0.01, .cause = scene + ", " + cause});
 }
 
-// A wall without thickness stands on the ground: the one blocker that no bias may jump over.
-Scene thinWall() {
-    Scene scene;
-    scene.name = "thin wall";
-    scene.materials = {{.name = "grey"}};
-    scene.meshes = {ground(6.0f, 1, 0), quad({-1.5f, 0.0f, 0.0f}, {1.5f, 0.0f, 0.0f},
-                                             {1.5f, 1.2f, 0.0f}, {-1.5f, 1.2f, 0.0f}, 0)};
-    scene.lights = {Light::lookingAt({1.0f, 6.0f, -5.0f}, {0.0f, 0.0f, 0.0f}, 0.5f)};
-    scene.camera = {.eye = {0.5f, 3.0f, 4.5f},
-                    .target = {0.0f, 0.2f, 0.0f},
-                    .verticalFov = 0.7f,
-                    .nearPlane = 1.0f,
-                    .farPlane = 20.0f};
-    return scene;
-}
-
 // Of the pixels whose light is blocked, the share that came out dark.
 double darkShare(const Image& visibility, const Image& truth) {
     double blocked = 0, dark = 0;

@@ -43,3 +43,5 @@ wrong behind-the-light no-test-behind-light --scene "$given/lamp.gltf"
 wrong outside-is-shadow outside-is-shadow --scene "$given/lamp.gltf"
 mine second-depth --scene stairs $nearest --set second_depth=on
 wrong second-depth-alone midpoint-is-second-depth --scene foliage $nearest --set second_depth=on
+"$bin/05-shadow-map.grade" --curves --solution --out "$drawn/curves" >/dev/null
+cp "$drawn"/curves/*.svg "$given/figures/"

@@ -36,4 +36,19 @@ Scene lowLight() {
     return scene;
 }
 
+Scene thinWall() {
+    Scene scene;
+    scene.name = "thin wall";
+    scene.materials = {{.name = "grey"}};
+    scene.meshes = {ground(6.0f, 1, 0), quad({-1.5f, 0.0f, 0.0f}, {1.5f, 0.0f, 0.0f},
+                                             {1.5f, 1.2f, 0.0f}, {-1.5f, 1.2f, 0.0f}, 0)};
+    scene.lights = {Light::lookingAt({1.0f, 6.0f, -5.0f}, {0.0f, 0.0f, 0.0f}, 0.5f)};
+    scene.camera = {.eye = {0.5f, 3.0f, 4.5f},
+                    .target = {0.0f, 0.2f, 0.0f},
+                    .verticalFov = 0.7f,
+                    .nearPlane = 1.0f,
+                    .farPlane = 20.0f};
+    return scene;
+}
+
 }  // namespace penumbra

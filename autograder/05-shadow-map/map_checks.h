@@ -1,5 +1,5 @@
 // What the checks of shadow maps share: rows of inputs, the light's view as its matrix tells it,
-// and two scenes.
+// and scenes.
 #pragma once
 
 #include <cmath>
@@ -49,5 +49,8 @@ Image interior(const TracedScene& truth, const Image& lightClipFromWorld, int ma
 // The light stands low over the ground's middle and shines along it: half of the ground is behind
 // it.
 Scene lowLight();
+
+// A wall without thickness stands on the ground: the one blocker that no bias may jump over.
+Scene thinWall();
 
 }  // namespace penumbra

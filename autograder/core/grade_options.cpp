@@ -6,6 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "core/curves.h"
 #include "core/error.h"
 #include "core/grade.h"
 #include "core/handout_hash.h"
@@ -21,7 +22,7 @@ struct Options {
     bool solution = false;
     std::string mistake, submission, out, only, truthCache, shaderCache, expectSame, record;
     bool expectMistake = false, expectNotStarted = false;
-    bool handoutHashes = false, buildOnly = false;
+    bool handoutHashes = false, buildOnly = false, curves = false;
 };
 
 void declare(CLI::App& app, Options& o) {
@@ -41,6 +42,9 @@ void declare(CLI::App& app, Options& o) {
                    "keep compiled shaders and distance fields in this folder for later runs; the "
                    "programs under test write there");
     app.add_option("--record", o.record, "also write every comparison with its pictures here");
+    app.add_flag(
+        "--curves", o.curves,
+        "instead of grading, draw what curves.cpp measures: an .svg each, and curves.json");
     app.add_flag("--expect-mistake", o.expectMistake, "succeed if exactly the named checks fail")
         ->needs(mistake);
     app.add_flag("--expect-not-started", o.expectNotStarted, "succeed if no task has been started");
@@ -132,7 +136,7 @@ int run(const Place& place, const Options& o) {
     if (o.handoutHashes) return printHashes(place);
     if (!o.buildOnly && o.out.empty())
         throw Error("no --out", "command line", "give a folder for the report");
-    if (!o.buildOnly) prepareOut(o.out);
+    if (!o.buildOnly && !o.curves) prepareOut(o.out);
     Variant variant = chosen(place, o);
     if (o.buildOnly) return buildOnly(variant);
     // The programs work in a folder of their own.
@@ -140,6 +144,9 @@ int run(const Place& place, const Options& o) {
         std::filesystem::create_directories(o.shaderCache);
         variant.program.shaderCache = std::filesystem::absolute(o.shaderCache);
     }
+    if (o.curves)
+        return drawCurves(place, variant,
+                          {.only = o.only, .out = o.out, .truthCache = o.truthCache});
     const GradeRecord grade =
         gradeVariant(place, variant,
                      {.only = o.only,

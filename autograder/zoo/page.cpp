@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base64.h"
 #include "core/report.h"
 #include "zoo/zoo.h"
 
@@ -23,6 +24,7 @@ h3 { margin: 0; font-size: 1.05rem; } .check { color: var(--soft); font-size: .8
 @media (max-width: 48rem) { .columns { grid-template-columns: minmax(0, 1fr); } }
 .columns > div { overflow-wrap: anywhere; } .label { font-size: .8rem; color: var(--soft); } .bad { color: var(--bad); } .good { color: var(--good); }
 .pictures { display: flex; gap: .4rem; flex-wrap: wrap; margin-top: .4rem; } .pictures img { width: 132px; border: 1px solid var(--line); border-radius: 4px; image-rendering: pixelated; background: #888; }
+article > img { max-width: 100%; display: block; margin-top: .5rem; } ul { color: var(--soft); font-size: .85rem; margin: .5rem 0 0; padding-left: 1.2rem; }
 )css";
 
 std::string picture(const std::string& png, const std::string& what) {
@@ -54,9 +56,22 @@ std::string rowHtml(const ZooRow& r) {
         picture(r.truth, "truth"));
 }
 
+// As an image: no style of one curve reaches the page or another curve.
+std::string curveHtml(const ZooCurve& c) {
+    std::string facts;
+    for (const std::string& fact : c.facts) facts += fmt::format("<li>{}</li>", escaped(fact));
+    const auto* bytes = reinterpret_cast<const unsigned char*>(c.svg.data());
+    return fmt::format(
+        "<article><h3>{}</h3><p class=\"check\">{}: {}{}</p><img loading=\"lazy\" "
+        "src=\"data:image/svg+xml;base64,{}\" alt=\"{}\"><ul>{}</ul></article>\n",
+        escaped(c.title), c.assignment, escaped(c.says),
+        c.holds ? "" : " <b class=\"bad\">a fact does not hold</b>",
+        base64(std::span(bytes, c.svg.size())), escaped(c.title), facts);
+}
+
 }  // namespace
 
-std::string zooHtml(const std::vector<ZooRow>& rows) {
+std::string zooHtml(const std::vector<ZooRow>& rows, const std::vector<ZooCurve>& curves) {
     std::string body, links, current;
     for (const ZooRow& r : rows) {
         if (r.which.assignment != current) {
@@ -65,6 +80,11 @@ std::string zooHtml(const std::vector<ZooRow>& rows) {
             body += fmt::format("<h2 id=\"{0}\">{0}</h2>\n", current);
         }
         body += rowHtml(r);
+    }
+    if (!curves.empty()) {
+        links += "<a href=\"#curves\">curves</a>";
+        body += "<h2 id=\"curves\">Curves</h2>\n";
+        for (const ZooCurve& c : curves) body += curveHtml(c);
     }
     const auto holding =
         std::count_if(rows.begin(), rows.end(), [](const ZooRow& r) { return r.holds(); });

@@ -132,7 +132,7 @@ std::vector<ZooRow> zooRows(const fs::path& build, const std::vector<ZooCase>& c
     return rows;
 }
 
-std::string zooJson(const std::vector<ZooRow>& rows) {
+std::string zooJson(const std::vector<ZooRow>& rows, const std::vector<ZooCurve>& curves) {
     nlohmann::ordered_json cases = nlohmann::ordered_json::array();
     for (const ZooRow& r : rows)
         cases.push_back(
@@ -150,7 +150,13 @@ std::string zooJson(const std::vector<ZooRow>& rows) {
                {"keeps_bound", r.naive.passed}}},
              {"solution", {{"measured", r.solution.measured}, {"keeps_bound", r.solution.passed}}},
              {"holds", r.holds()}});
-    return nlohmann::ordered_json{{"cases", cases}}.dump(2) + "\n";
+    nlohmann::ordered_json drawn = nlohmann::ordered_json::array();
+    for (const ZooCurve& c : curves) {
+        auto entry = nlohmann::ordered_json::parse(c.json);
+        entry["assignment"] = c.assignment;
+        drawn.push_back(std::move(entry));
+    }
+    return nlohmann::ordered_json{{"cases", cases}, {"curves", drawn}}.dump(2) + "\n";
 }
 
 }  // namespace penumbra

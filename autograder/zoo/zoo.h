@@ -45,7 +45,22 @@ std::vector<ZooCase> zooCases();
 std::vector<ZooRow> zooRows(const std::filesystem::path& build, const std::vector<ZooCase>& cases,
                             Progress& progress);
 
-std::string zooJson(const std::vector<ZooRow>& rows);
-std::string zooHtml(const std::vector<ZooRow>& rows);
+// Where a curve teaches more than a point: what autograder/NN-name/curves.cpp measures of the
+// solution (core/curves.h).
+struct ZooCurve {
+    std::string assignment, svg;
+    std::string json;  // of N.grade --curves, with its facts
+    std::string title, says;
+    std::vector<std::string> facts;  // in words
+    bool holds = false;              // all of them
+};
+
+// Assignments that have curves and a solution.
+std::vector<std::string> assignmentsWithCurves();
+std::vector<ZooCurve> zooCurves(const std::filesystem::path& build,
+                                const std::vector<std::string>& assignments, Progress& progress);
+
+std::string zooJson(const std::vector<ZooRow>& rows, const std::vector<ZooCurve>& curves);
+std::string zooHtml(const std::vector<ZooRow>& rows, const std::vector<ZooCurve>& curves);
 
 }  // namespace penumbra

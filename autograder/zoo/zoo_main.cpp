@@ -15,26 +15,36 @@ namespace {
 int zoo(const std::filesystem::path& out, bool list) {
     const auto cases = zooCases();
     if (cases.empty()) throw Error("nothing to show", "autograder/", "this tree has no zoo.json");
+    const auto drawn = assignmentsWithCurves();
     if (list) {
         for (const ZooCase& c : cases)
             fmt::print("{:<24} {:<72} {}, {}\n", c.assignment, c.failure, c.check, c.naive);
+        for (const std::string& name : drawn) fmt::print("{:<24} curves\n", name);
         return 0;
     }
-    Progress progress("zoo", long(cases.size()));
+    Progress progress("zoo", long(cases.size() + drawn.size()));
     const auto rows = zooRows(PENUMBRA_BUILD, cases, progress);
+    const auto curves = zooCurves(PENUMBRA_BUILD, drawn, progress);
     OutputFolder folder(out);
-    writeText(folder.file("zoo.json"), zooJson(rows));
-    writeText(folder.file("zoo.html"), zooHtml(rows));
+    writeText(folder.file("zoo.json"), zooJson(rows, curves));
+    writeText(folder.file("zoo.html"), zooHtml(rows, curves));
     folder.commit();
     for (const ZooRow& r : rows)
         if (!r.holds())
             fmt::print("{} · {}: naive {}, solution {}\n", r.which.assignment, r.which.failure,
                        r.naive.passed ? "keeps the bound" : "breaks it",
                        r.solution.passed ? "keeps it" : "breaks it");
+    bool curvesHold = true;
+    for (const ZooCurve& c : curves)
+        if (!c.holds) {
+            fmt::print("{} · {}: a fact does not hold\n", c.assignment, c.title);
+            curvesHold = false;
+        }
     const auto holding =
         std::count_if(rows.begin(), rows.end(), [](const ZooRow& r) { return r.holds(); });
-    fmt::print("{} of {} cases hold\n{}\n", holding, rows.size(), (out / "zoo.html").string());
-    return holding == std::ptrdiff_t(rows.size()) ? 0 : 1;
+    fmt::print("{} of {} cases hold; {} curves\n{}\n", holding, rows.size(), curves.size(),
+               (out / "zoo.html").string());
+    return holding == std::ptrdiff_t(rows.size()) && curvesHold ? 0 : 1;
 }
 
 }  // namespace

@@ -139,6 +139,11 @@ function(course_add_grader name)
   # Long ones first, so that no core waits for the last: the solution's runs fill the caches.
   set_tests_properties(${name}.solution ${name}.cached ${name}.submission PROPERTIES COST 100)
   set(all ${name}.hashes ${name}.solution ${name}.cached ${name}.handout ${name}.submission)
+  file(GLOB curves CONFIGURE_DEPENDS ${grader}/curves*.cpp)
+  if(curves)  # each states facts
+    add_test(NAME ${name}.curves COMMAND ${name}.grade --curves --solution --out ${out}/curves ${caches})
+    list(APPEND all ${name}.curves)
+  endif()
   file(GLOB mistakes CONFIGURE_DEPENDS LIST_DIRECTORIES true ${grader}/wrong/*)
   foreach(mistake IN LISTS mistakes)
     get_filename_component(label ${mistake} NAME)
