@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/progress.h"
 #include "scene/gallery.h"
+#include "truth/scene_truth.h"
 #include "truth/visibility.h"
 
 namespace penumbra {
@@ -87,7 +88,10 @@ public:
         Image image;
         if (light == "point")
             image = pointVisibility(tracer, receivers, opened.lights[0]);
-        else
+        else if (auto exact = exactVisibility(opened, receivers)) {
+            image = std::move(*exact);
+            truth.samples = 0;
+        } else
             image = averaged(tracer, receivers, opened.lights[0], truth);
         results_.pictures[truth.picture] = shrunk(image);
         results_.truths.push_back(truth);

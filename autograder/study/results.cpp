@@ -60,6 +60,12 @@ Spread spread(std::vector<double> values) {
     return {values.front(), 0.5 * (values[(n - 1) / 2] + values[n / 2]), values.back()};
 }
 
+std::string StudyTruth::text() const {
+    if (samples == 0) return "closed form";
+    if (samples == 1) return "one ray to the light's centre";
+    return fmt::format("{} rays, standard error {:.4f}", samples, standardError);
+}
+
 void findFronts(std::vector<StudyPoint>& points) {
     for (StudyPoint& p : points)
         p.front = p.error.empty() &&
@@ -84,6 +90,7 @@ std::string studyJson(const StudyResults& r) {
     for (const StudyTruth& t : r.truths)
         json["truths"].push_back({{"scene", t.scene},
                                   {"light", t.light},
+                                  {"kind", t.text()},
                                   {"samples", t.samples},
                                   {"standard_error", t.standardError}});
     for (const StudyPoint& p : r.points) json["points"].push_back(jsonOf(p));
@@ -94,20 +101,25 @@ std::string studyCsv(const StudyResults& r) {
     std::string csv =
         "scene,light,program,curve,settings,rmse,mean_absolute,percentile_99,penumbra_rmse,"
         "false_shadow_rate,light_leak_rate,floors_median,floors_minimum,floors_maximum,"
-        "frame_ms_median,floor_ms_median,wall_ms_median,texture_bytes,front,error\n";
+        "frame_ms_median,floor_ms_median,wall_ms_median,texture_bytes,front,error,truth\n";
     for (const StudyPoint& p : r.points) {
+        const auto truth = std::find_if(r.truths.begin(), r.truths.end(), [&](const StudyTruth& t) {
+            return t.scene == p.scene && t.light == p.light;
+        });
+        const std::string kind = truth == r.truths.end() ? "" : quoted(truth->text());
         const Metrics& m = p.metrics;
         csv += fmt::format("{},{},{},{},{},", p.scene, p.light, quoted(p.program), quoted(p.curve),
                            quoted(p.settings));
         if (p.error.empty())
             csv += fmt::format(
                 "{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.4g},{:.4g},{:.4g},"
-                "{:.4g},{:.4g},{:.4g},{:.0f},{},\n",
+                "{:.4g},{:.4g},{:.4g},{:.0f},{},,{}\n",
                 m.rmse, m.meanAbsolute, m.percentile99, m.penumbraRmse, m.falseShadowRate,
                 m.lightLeakRate, p.floors.median, p.floors.minimum, p.floors.maximum,
-                p.frame.median, p.floor.median, p.wall.median, p.textureBytes, p.front ? 1 : 0);
+                p.frame.median, p.floor.median, p.wall.median, p.textureBytes, p.front ? 1 : 0,
+                kind);
         else
-            csv += ",,,,,,,,,,,,,," + quoted(p.error) + "\n";
+            csv += ",,,,,,,,,,,,,," + quoted(p.error) + "," + kind + "\n";
     }
     return csv;
 }

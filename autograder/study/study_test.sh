@@ -16,6 +16,7 @@ for file in study.json study.csv study.svg study.html; do
 done
 [ -e "$scratch/a.measured" ] && fail "answers are left behind"
 grep -q ',rays,' "$scratch/a/study.csv" || grep -q '"rays"' "$scratch/a/study.csv" || fail "no competitor was measured"
+grep -q '"closed form"' "$scratch/a/study.csv" || fail "halfplane was not compared with its formula"
 # Columns before the times: every error must come out the same, bit for bit.
 errors() { cut -d, -f1-3 "$1"; grep -o '"rmse": [0-9.e-]*' "${1%csv}json"; }
 cmp -s <(errors "$scratch/a/study.csv") <(errors "$scratch/b/study.csv") || fail "errors differ between two runs"
