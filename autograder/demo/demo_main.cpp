@@ -5,8 +5,11 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
+#include "core/cache_folder.h"
 #include "core/error.h"
 #include "core/metrics.h"
 #include "core/output_folder.h"
@@ -25,6 +28,14 @@ namespace fs = std::filesystem;
 constexpr glm::ivec2 kSize{640, 480};
 constexpr int kTruthSamples = 256;  // standard error at most 1/32 in the middle of a penumbra
 
+// Compiled shaders and distance fields are made once, not in every child and again in the next
+// demo: all that runs here is the tree's own.
+fs::path keptFolder() {
+    const fs::path folder = fs::absolute(cacheFolder() / "demo");
+    fs::create_directories(folder);
+    return folder;
+}
+
 std::vector<std::string> solvedAssignments() {
     std::vector<std::string> names;
     for (const auto& entry : fs::directory_iterator(repositoryRoot() / "assignments"))
@@ -38,7 +49,8 @@ DemoGrade grade(const Place& place, const fs::path& out) {
     const fs::path grader = place.build / "bin" / (place.assignment + ".grade");
     const ScratchFolder scratch;
     const Command command{.program = grader,
-                          .arguments = {"--solution", "--out", (out / place.assignment).string()},
+                          .arguments = {"--solution", "--out", (out / place.assignment).string(),
+                                        "--shader-cache", keptFolder().string()},
                           .folder = scratch.path(),
                           .limits = {.wallSeconds = 600, .cpuSeconds = 1200}};
     const ProcessResult result = runProcess(command);
@@ -53,9 +65,29 @@ DemoGrade grade(const Place& place, const fs::path& out) {
             .report = place.assignment + "/report.html"};
 }
 
-DemoCard card(const Place& place, const std::string& sceneName, const fs::path& pictures) {
+// Rays, once for all assignments that are held against the same.
+class Truths {
+public:
+    const Image& visibility(const std::string& sceneName, const Scene& scene, bool point) {
+        Image& image = images_[{sceneName, scene.lights[0].directional, point}];
+        if (!image.empty()) return image;
+        const RayTracer tracer(scene);
+        const Receivers receivers = tracer.receivers(scene.camera, kSize);
+        image = point ? pointVisibility(tracer, receivers, scene.lights[0])
+                      : areaVisibility(tracer, receivers, scene.lights[0], kTruthSamples);
+        return image;
+    }
+
+private:
+    std::map<std::tuple<std::string, bool, bool>, Image> images_;
+};
+
+DemoCard card(const Place& place, const std::string& sceneName, Truths& truths,
+              const fs::path& pictures) {
     const ScratchFolder scratch;
-    const RunOutcome run = runRender(solutionVariant(place).program,
+    VariantProgram program = solutionVariant(place).program;
+    program.shaderCache = keptFolder();
+    const RunOutcome run = runRender(program,
                                      {.scene = sceneName,
                                       .size = kSize,
                                       .images = {"visibility", "color"},
@@ -66,11 +98,8 @@ DemoCard card(const Place& place, const std::string& sceneName, const fs::path& 
     Scene scene = loadScene(sceneName);
     if (run.frame->info.at("directional_lights") == "far point")
         for (Light& light : scene.lights) light.directional = false;
-    const RayTracer tracer(scene);
-    const Receivers receivers = tracer.receivers(scene.camera, kSize);
     const bool point = run.frame->info.at("light_model") == "point";
-    const Image truth = point ? pointVisibility(tracer, receivers, scene.lights[0])
-                              : areaVisibility(tracer, receivers, scene.lights[0], kTruthSamples);
+    const Image& truth = truths.visibility(sceneName, scene, point);
     const Image& mine = run.frame->images.at("visibility");
     const std::string stem = place.assignment + "-" + sceneName;
     savePng(pictures / (stem + "-color.png"), run.frame->images.at("color"), Encoding::srgb);
@@ -99,13 +128,14 @@ void demo(const fs::path& build, const fs::path& out) {
     const fs::path pictures = folder.file("pictures");
     fs::create_directories(pictures);
     DemoPage page;
+    Truths truths;
     Progress progress("demo", long(assignments.size() * (scenes.size() + 4)));
     for (const std::string& assignment : assignments) {
         const Place place{.root = repositoryRoot(), .build = build, .assignment = assignment};
         page.grades.push_back(grade(place, folder.file("grades")));
         progress.advance(4);
         for (const std::string& scene : scenes) {
-            page.cards.push_back(card(place, scene, pictures));
+            page.cards.push_back(card(place, scene, truths, pictures));
             progress.advance();
         }
     }

@@ -1,6 +1,7 @@
 #include "field.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -13,10 +14,33 @@ namespace penumbra {
 
 namespace {
 
-// Open meshes have no inside, and between voxels a look-up near a sheet does not come down to 0:
-// at worst to half a voxel. So sheets get a thickness: with less, light comes through; with more,
-// they grow.
-constexpr float kSkinVoxels = 0.3f;
+// Open meshes have no inside, and on a sheet a look-up between voxels is not 0 but the mean of the
+// eight corners' heights over it: at most the root of their mean square, which is that of half a
+// voxel each way, however the sheet lies. So a skin of less than half a voxel lets light through,
+// and this one holds wherever the sheet is wide. Towards its outline the skin gets thin: blockers
+// grow by it there, and leaves of two voxels are all outline.
+constexpr double kSkinVoxels = 0.55, kOutlineSkinVoxels = 0.3;
+
+constexpr float kFar = 1e15f;  // of nothing; its square is finite
+
+// The skin where the outline is so far off; all in voxels.
+double skinVoxels(double inwards) {
+    return std::lerp(kOutlineSkinVoxels, kSkinVoxels, std::clamp(inwards - 1.0, 0.0, 1.0));
+}
+
+// Edges of one triangle, each a triangle without area.
+Mesh outline(std::span<const Mesh> meshes) {
+    Mesh result;
+    for (const Mesh& mesh : meshes)
+        for (const MeshEdges edges = meshEdges(mesh); const MeshEdge& edge : edges.edges) {
+            if (edge.sideCount != 1) continue;
+            const auto i = std::uint32_t(result.positions.size());
+            result.positions.push_back(mesh.positions[edge.from]);
+            result.positions.push_back(mesh.positions[edge.to]);
+            result.triangles.push_back({i, i + 1, i + 1});
+        }
+    return result;
+}
 
 }  // namespace
 
@@ -40,29 +64,34 @@ void BlockerField::prepare(const View& view, int voxels) {
 }
 
 void BlockerField::make(std::span<const Mesh> closedMeshes, std::span<const Mesh> openMeshes) {
-    Progress progress("distance field",
-                      long(grid_.size.z) * (!closedMeshes.empty() + !openMeshes.empty()));
+    const Mesh borders = outline(openMeshes);
+    const std::span<const Mesh> outlines(&borders, borders.triangles.empty() ? 0 : 1);
+    Progress progress(
+        "distance field",
+        long(grid_.size.z) * (!closedMeshes.empty() + !openMeshes.empty() + !outlines.empty()));
     const auto field = [&](std::span<const Mesh> meshes) {
-        return cachedDistanceField(cacheFolder(), meshes, grid_, &progress).values;
+        return meshes.empty() ? std::vector<float>(grid_.count(), kFar)
+                              : cachedDistanceField(cacheFolder(), meshes, grid_, &progress).values;
     };
-    std::vector<float> values;
-    if (!closedMeshes.empty()) values = field(closedMeshes);
+    std::vector<float> values = field(closedMeshes);
     if (!openMeshes.empty()) {
-        skin_ = kSkinVoxels * grid_.cell;
-        box_.lower -= skin_, box_.upper += skin_;
-        std::vector<float> sheets = field(openMeshes);
+        skin_ = float(kOutlineSkinVoxels) * grid_.cell;
+        const float most = float(kSkinVoxels) * grid_.cell;
+        box_.lower -= most, box_.upper += most;
+        const std::vector<float> sheets = field(openMeshes), border = field(outlines);
+        const double cell = double(grid_.cell);
         for (std::size_t i = 0; i < sheets.size(); ++i) {
-            sheets[i] -= skin_;
-            if (!values.empty()) sheets[i] = std::min(sheets[i], values[i]);
+            const double d = double(sheets[i]), toBorder = double(border[i]);
+            const double inwards = std::sqrt(std::max(toBorder * toBorder - d * d, 0.0));
+            values[i] = std::min(values[i], float(d - skinVoxels(inwards / cell) * cell));
         }
-        values = std::move(sheets);
     }
     notes_.push_back(fmt::format("field of {} x {} x {} voxels, {:.2g} wide", grid_.size.x,
                                  grid_.size.y, grid_.size.z, grid_.cell));
     for (const Mesh& mesh : openMeshes)
         notes_.push_back(fmt::format(
-            "mesh {} is open: it has no inside, and blocks as a sheet, one voxel ({:.2g}) thick",
-            mesh.name, grid_.cell));
+            "mesh {} is open: it has no inside, and blocks as a sheet, up to {:.2g} thick",
+            mesh.name, 2.0 * kSkinVoxels * double(grid_.cell)));
     texture_ = VolumeTexture({.size = grid_.size, .format = GL_R32F, .label = "distance field"});
     texture_.upload(values);
 }

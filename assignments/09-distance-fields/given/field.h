@@ -37,7 +37,8 @@ public:
     const DistanceGrid& grid() const { return grid_; }
     const Box& box() const { return box_; }  // of the blockers, with their skin
     const VolumeTexture& texture() const { return texture_; }
-    // Half the thickness that open meshes are given, since they have no inside; 0: there are none.
+    // How far open meshes are blown up at their outlines, since they have no inside; 0: there are
+    // none.
     float skin() const { return skin_; }
     // What a person who looks at the picture should know of it.
     const std::vector<std::string>& notes() const { return notes_; }
