@@ -1,7 +1,7 @@
 // Planar shadows: the matrix's product taken apart, so that it does not cancel.
 #include <fmt/format.h>
 
-#include "planar_checks.h"
+#include "near_the_light.h"
 
 namespace penumbra {
 namespace {
@@ -48,57 +48,15 @@ TEST(Task5RayForm, FlattenedPointsAreLinearInTheCaster) {
                       .cause = "products of up to 100, rounded to 1e-5, over w from 0.1 on"});
 }
 
-// Casters at one of four gaps below the light, in its height, up to 3 beside it.
-struct NearTheLight {
-    static constexpr std::array<double, 4> kGaps{1.0, 0.1, 0.01, 0.001};
-    static constexpr int kCasters = 2048;  // for each gap
-    Rows planes, lights, casters;
-
-    NearTheLight() {
-        for (const double gap : kGaps) {
-            Dice dice{std::mt19937(55)};
-            for (int i = 0; i < kCasters; ++i) add(dice, gap);
-        }
-    }
-    void add(Dice& dice, double gap) {
-        const dvec4 plane(vec4(vec3(dice.direction()), float(dice(-3, 3))));
-        const dvec3 n(plane);
-        const auto beside = [&](double distance) {
-            return distance * glm::normalize(glm::cross(n, dice.direction()));
-        };
-        const double height = dice(2, 9);
-        const dvec3 light(vec3((height - plane.w) * n + beside(dice(0, 3))));
-        planes.emplace_back(plane), lights.emplace_back(light, 1);
-        casters.emplace_back(light - gap * height * n + beside(dice(0.5, 3)), 1);
-    }
-    // By gap: largest and root mean square of |p - exact p| over the length of the ray.
-    std::array<dvec2, 4> errors(const char* expression) const {
-        const Rows rows = evaluate({.chunk = "ray_form.glsl",
-                                    .expression = expression,
-                                    .inputs = {{"a", planes}, {"b", lights}, {"c", casters}}});
-        std::array<dvec2, 4> result{};
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            dvec2& of = result[i / kCasters];
-            const dvec4 exact = flattened(planes[i], lights[i], vec3(casters[i]));
-            const dvec3 p = dvec3(exact) / exact.w, mine = dvec3(vec3(rows[i])) / double(rows[i].w);
-            const double e = glm::distance(mine, p) / glm::distance(dvec3(vec3(lights[i])), p);
-            if (!(e <= of.x)) of.x = e;  // NaN, too
-            of.y += e * e;
-        }
-        for (dvec2& of : result) of.y = std::sqrt(of.y / kCasters);
-        return result;
-    }
-};
-
 TEST(Task5RayForm, StaysAccurateAsTheCasterNearsTheLightsHeight) {
-    const NearTheLight in;
+    const std::vector<double> gaps{1.0, 0.1, 0.01, 0.001};
+    const NearTheLight in(gaps, 2048);
     const auto rays = in.errors("flattenAlongRay(a, b, c.xyz)");
-    const auto matrices = in.errors("(dot(a, b) * mat4(1.0) - outerProduct(b, a)) * c");
+    const auto matrices = in.errors(kMatrixForm);
     const std::array<double, 4> bounds{5e-7, 2e-6, 2e-5, 2e-4};
     for (std::size_t i = 0; i < bounds.size(); ++i) {
         const dvec2 ray = rays[i], matrix = matrices[i];
-        const std::string gap =
-            fmt::format("caster {} of the light's height below it: ", NearTheLight::kGaps[i]);
+        const std::string gap = fmt::format("caster {} of the light's height below it: ", gaps[i]);
         EXPECT_VALUE(ray.x, LessOrEqual, 2 * bounds[i],
                      gap +
                          "a few roundings of 6e-8 in n·(l - v), which shrinks with the gap; twice "

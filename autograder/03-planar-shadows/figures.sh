@@ -58,3 +58,5 @@ wrong v-flipped v-downwards --scene hollow
 mine onto-casters --scene hollow --set onto_casters=on
 mine texture-false-shadow --scene mast --set method=texture
 mine coarse --scene hollow --set texture_size=256
+"$bin/03-planar-shadows.grade" --curves --solution --out "$drawn/curves" >/dev/null
+cp "$drawn"/curves/*.svg "$given/figures/"

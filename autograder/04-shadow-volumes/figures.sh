@@ -52,3 +52,5 @@ mine nested-255 --scene nested@255
 mine nested-256 --scene nested@256
 mine nested-float --scene nested@256 --set counter=float
 wrong no-wrap no-wrap --scene nested@255
+"$bin/04-shadow-volumes.grade" --curves --solution --out "$drawn/curves" >/dev/null
+cp "$drawn"/curves/*.svg "$given/figures/"

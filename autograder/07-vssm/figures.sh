@@ -43,3 +43,5 @@ image=visibility mine search-cells --scene fence --set search_cells=3
 image=visibility mine bleeding --scene stairs $wide --set light_bleeding=0
 image=visibility mine esm --scene stairs $wide --set estimate=esm --set exponent=60
 image=visibility mine evsm --scene stairs $wide --set estimate=evsm --set exponent=20
+"$bin/07-vssm.grade" --curves --solution --out "$drawn/curves" >/dev/null
+cp "$drawn"/curves/*.svg "$given/figures/"

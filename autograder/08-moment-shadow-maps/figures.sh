@@ -46,3 +46,5 @@ image=visibility mine cells-4 --scene foliage --set cells=4
 "$bin/penumbra-truth" --scene foliage --size 384x384 --samples 256 --light square --out "$drawn/rays" >/dev/null
 cp "$drawn/rays/visibility.png" "$given/figures/rays.png"
 echo rays.png
+"$bin/08-moment-shadow-maps.grade" --curves --solution --out "$drawn/curves" >/dev/null
+cp "$drawn"/curves/*.svg "$given/figures/"

@@ -49,3 +49,5 @@ mine fence-256 --scene fence --set grid=256
 rays rays-fence --scene fence
 mine foliage --scene foliage
 rays rays-foliage --scene foliage
+"$bin/09-distance-fields.grade" --curves --solution --out "$drawn/curves" >/dev/null
+cp "$drawn"/curves/*.svg "$given/figures/"

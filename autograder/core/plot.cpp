@@ -232,7 +232,7 @@ std::string curveSvg(const Curve& curve) {
             longest = std::max(longest, letters(s.name));
             for (const glm::dvec2& p : s.points) xs.push_back(p.x);
         }
-    const double right = kWidth - 18 - kLetter * double(longest);
+    const double right = kWidth - 28 - kLetter * double(longest);
     const Scale x = scaleOf(curve.x, xs, kLeft, right);
     const double step = kPanel + kGap + kLine;
     const double height =
