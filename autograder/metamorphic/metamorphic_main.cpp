@@ -14,7 +14,7 @@ namespace {
 
 struct Options {
     std::string assignment, driver = "llvmpipe", wrong, relation, method;
-    bool mistakes = false;
+    bool mistakes = false, brightening = false;
 };
 
 Place placeOf(const std::string& assignment) {
@@ -23,13 +23,13 @@ Place placeOf(const std::string& assignment) {
 
 void print(const Outcome& o) {
     const Difference& d = o.measured;
-    const std::string bound =
-        o.allowance ? fmt::format("at most {} by more than 1/256", o.allowance->pixels) : "none";
     fmt::print(
-        "{:<6} {:<13} {:<28} {:<8} {:>5} pixels differ, {:>4} by more than 1/256, most {:.2g}; "
-        "allowed {}{}\n",
+        "{:<7} {:<13} {:<26} {:<7} {:>5} differ, {:>4} by more than 1/256, most {:.2g} at ({}, {})",
         o.holds() ? "holds" : "BROKEN", o.relation, o.method, o.scene, d.any, d.visible, d.most,
-        bound, o.trouble.empty() ? "" : "; " + o.trouble);
+        d.where.x, d.where.y);
+    if (o.allowance) fmt::print("; allowed {}", o.allowance->pixels);
+    if (!o.trouble.empty()) fmt::print("; {}", o.trouble);
+    fmt::print("\n");
 }
 
 bool allHold(const std::vector<Outcome>& outcomes) {
@@ -53,10 +53,43 @@ int tryMistakes(const Place& place, const MetamorphicPlan& plan) {
     return kept > 0;
 }
 
+// What one more blocker does to each method on the gallery's scenes, as rows of a table: the share
+// of pixels that brighten (least and most of seeds 1 to 3), by how much on average, and the most.
+void printBrightening(const Place& place, const MetamorphicPlan& plan) {
+    constexpr glm::ivec2 kSize{128, 128};
+    fmt::print("| | boxes | fence | foliage | stairs |\n| --- | --- | --- | --- | --- |\n");
+    for (const MetamorphicMethod& method : plan.methods) {
+        std::string row = "| " + place.assignment.substr(0, 3) + method.name;
+        for (const char* name : {"boxes", "fence", "foliage", "stairs"}) {
+            const auto outcomes = tryRelations(
+                {.program = solutionVariant(place).program,
+                 .plan = plan,
+                 .only = "any blocker",
+                 .onlyMethod = method.name,
+                 .scenes = {name, fmt::format("{}@2", name), fmt::format("{}@3", name)},
+                 .size = kSize,
+                 .excepted = true});
+            double least = 1, largest = 0, sum = 0, most = 0;
+            int count = 0;
+            for (const Outcome& o : outcomes) {
+                if (!o.trouble.empty()) throw Error(o.trouble, method.name, "mend it first");
+                const double share = double(o.measured.visible) / double(kSize.x * kSize.y);
+                least = std::min(least, share), largest = std::max(largest, share);
+                sum += o.measured.sum, count += o.measured.visible;
+                most = std::max(most, double(o.measured.most));
+            }
+            row += fmt::format(" | {:.1f} to {:.1f} %, .{:03.0f}, .{:02.0f}", 100 * least,
+                               100 * largest, count ? 1000 * sum / count : 0.0, 100 * most);
+        }
+        fmt::print("{} |\n", row);
+    }
+}
+
 int metamorphic(const Options& o) {
     const Place place = placeOf(o.assignment);
     const MetamorphicPlan plan = loadMetamorphicPlan(place.grader() / "metamorphic.json");
     if (o.mistakes) return tryMistakes(place, plan);
+    if (o.brightening) return printBrightening(place, plan), 0;
     const Variant variant =
         o.wrong.empty() ? solutionVariant(place) : mistakeVariant(place, o.wrong);
     const auto outcomes = tryRelations({.program = variant.program,
@@ -86,6 +119,7 @@ int main(int argc, char** argv) {
     app.add_option("--method", o.method, "this one alone");
     app.add_flag("--mistakes", o.mistakes,
                  "succeed if each mistake of the plan breaks its relation");
+    app.add_flag("--brightening", o.brightening, "a table of what one more blocker brightens");
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp& e) {

@@ -77,6 +77,7 @@ MetamorphicPlan loadMetamorphicPlan(const std::filesystem::path& file) {
     try {
         const json j = json::parse(stream);
         plan.scenes = j.at("scenes");
+        plan.oneMesh = j.value("one_mesh", false);
         for (const json& m : j.at("methods")) plan.methods.push_back(methodOf(m));
         for (const json& a : j.at("except")) plan.allowances.push_back(allowanceOf(a, false));
         for (const json& a : j.at("allow")) plan.allowances.push_back(allowanceOf(a, true));

@@ -8,6 +8,10 @@
 //    "except": [{"relation": "texels", "cause": "its rays are not parallel"}],
 //    "mistakes": [{"relation": "scale", "mistake": "bias-in-world-units"}]}
 //
+// "one_mesh": true has a scene's meshes in one that reaches out of the picture. Where a light's
+// view is fitted to meshes by their bounding boxes, a turn makes these larger; one that is clipped
+// is fitted by its triangles.
+//
 // A method is settings that differ from the defaults, name=value,name=value; `limit`, more of them
 // that lead step by step to a hard shadow ("" = it is one). `allow`, `except` and `mistakes` hold
 // for all methods, or "method": "PCSS"; the first two for all drivers, or "driver": "softpipe".
@@ -38,6 +42,7 @@ struct BreakingMistake {
 
 struct MetamorphicPlan {
     std::vector<std::string> scenes;
+    bool oneMesh = false;
     std::vector<MetamorphicMethod> methods;
     std::vector<Allowance> allowances;
     std::vector<BreakingMistake> mistakes;

@@ -14,23 +14,18 @@ namespace penumbra {
 
 namespace {
 
-constexpr glm::ivec2 kSize{64, 64};
-
-bool differs(float a, float b) { return std::abs(a - b) > kVisible; }
+void count(Difference& d, float off, int x, int y) {
+    d.any += off > 0;
+    if (off > kVisible) ++d.visible, d.sum += off;
+    if (off > d.most) d.most = off, d.where = {x, y};
+}
 
 Difference difference(const Image& a, const Image& b) {
     EXPECTS(a.sameShape(b));
     Difference result;
-    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-        result.any += a.pixels[i] != b.pixels[i];
-        result.visible += differs(a.pixels[i], b.pixels[i]);
-        result.most = std::max(result.most, std::abs(a.pixels[i] - b.pixels[i]));
-    }
+    for (int y = 0; y < a.height; ++y)
+        for (int x = 0; x < a.width; ++x) count(result, std::abs(a.at(x, y) - b.at(x, y)), x, y);
     return result;
-}
-
-Difference worse(const Difference& a, const Difference& b) {
-    return {std::max(a.any, b.any), std::max(a.visible, b.visible), std::max(a.most, b.most)};
 }
 
 std::vector<std::string> joined(std::vector<std::string> a, const std::vector<std::string>& b) {
@@ -41,13 +36,17 @@ std::vector<std::string> joined(std::vector<std::string> a, const std::vector<st
 // One method of one program under one driver.
 class Studio {
 public:
-    Studio(GradingSession& session, std::string driver, std::vector<std::string> settings)
-        : session_(session), driver_(std::move(driver)), settings_(std::move(settings)) {}
+    Studio(GradingSession& session, std::string driver, glm::ivec2 size,
+           std::vector<std::string> settings)
+        : session_(session),
+          driver_(std::move(driver)),
+          size_(size),
+          settings_(std::move(settings)) {}
 
-    std::shared_ptr<const FrameFile> frame(const Scene& scene, glm::ivec2 size = kSize,
+    std::shared_ptr<const FrameFile> frame(const Scene& scene,
                                            const std::vector<std::string>& more = {}) const {
         auto result = session_.render({.scene = session_.sceneFile(scene),
-                                       .size = size,
+                                       .size = size_,
                                        .settings = joined(settings_, more),
                                        .images = {"visibility", "depth"}});
         const std::string& renderer = result->info.at("renderer");
@@ -57,10 +56,12 @@ public:
         return result;
     }
 
-    Image picture(const Scene& scene, glm::ivec2 size = kSize,
-                  const std::vector<std::string>& more = {}) const {
-        return frame(scene, size, more)->images.at("visibility");
+    Image picture(const Scene& scene, const std::vector<std::string>& more = {}) const {
+        return frame(scene, more)->images.at("visibility");
     }
+
+    Studio ofSize(glm::ivec2 size) const { return Studio(session_, driver_, size, settings_); }
+    glm::ivec2 size() const { return size_; }
 
     Difference between(const Scene& a, const Scene& b) const {
         return difference(picture(a), picture(b));
@@ -69,6 +70,7 @@ public:
 private:
     GradingSession& session_;
     std::string driver_;
+    glm::ivec2 size_;
     std::vector<std::string> settings_;
 };
 
@@ -84,13 +86,19 @@ Difference shifted(const Image& a, const Image& b, int by) {
     return difference(from, to);
 }
 
-// Not lit or dark as all its 5 x 5 neighbours are.
-bool nearAnEdge(const Image& truth, int x, int y) {
+// Whether the rays' picture changes within two pixels, or the surface within one.
+bool nearAnEdge(const Image& truth, const Receivers& receivers, int x, int y) {
+    const auto facet = [&](int u, int v) {
+        return receivers.facetNormals[std::size_t(v) * std::size_t(truth.width) + std::size_t(u)];
+    };
     for (int j = -2; j <= 2; ++j)
         for (int i = -2; i <= 2; ++i) {
             const int u = std::clamp(x + i, 0, truth.width - 1);
             const int v = std::clamp(y + j, 0, truth.height - 1);
             if (truth.at(u, v) != truth.at(x, y)) return true;
+            if (std::max(std::abs(i), std::abs(j)) == 1 &&
+                glm::dot(facet(u, v), facet(x, y)) < 0.999f)
+                return true;
         }
     return false;
 }
@@ -107,8 +115,9 @@ struct Measured {
 };
 
 Measured scale(const Studio& studio, const Scene& scene) {
-    return {
-        worse(studio.between(scene, scaled(scene, 10)), studio.between(scene, scaled(scene, -10)))};
+    const Difference larger = studio.between(scene, scaled(scene, 10));
+    const Difference smaller = studio.between(scene, scaled(scene, -10));
+    return {larger.any > smaller.any ? larger : smaller};
 }
 
 Measured translation(const Studio& studio, const Scene& scene) {
@@ -116,8 +125,8 @@ Measured translation(const Studio& studio, const Scene& scene) {
 }
 
 Measured texels(const Studio& studio, const Scene&) {
-    const Image before = studio.picture(sheetScene(0), glm::ivec2(kStepPicture));
-    const Image after = studio.picture(sheetScene(1), glm::ivec2(kStepPicture));
+    const Studio square = studio.ofSize(glm::ivec2(kStepPicture));
+    const Image before = square.picture(sheetScene(0)), after = square.picture(sheetScene(1));
     const auto [least, most] = std::minmax_element(before.pixels.begin(), before.pixels.end());
     return {shifted(before, after, kStepPixels), *least < *most ? "" : "the sheet has no shadow"};
 }
@@ -140,24 +149,21 @@ Measured order(const Studio& studio, const Scene& scene) {
 
 Measured limit(const Studio& studio, const Scene& scene,
                const std::vector<std::vector<std::string>>& steps) {
-    const Image rays = TracedScene(scene, kSize).pointVisibility();
+    const TracedScene traced(scene, studio.size());
+    const Image rays = traced.pointVisibility();
     Measured result;
     double before = 1e30;
     for (const auto& step : steps) {
-        const Image image = studio.picture(scene, kSize, step);
+        const Image image = studio.picture(scene, step);
         const double distance = meanDifference(image, rays);
         if (!(distance < before))
             result.trouble = fmt::format("not nearer: {:.5f} after {:.5f}", distance, before);
         before = distance;
         result.difference = {};
-        for (int y = 0; y < kSize.y; ++y)
-            for (int x = 0; x < kSize.x; ++x)
-                if (!nearAnEdge(rays, x, y)) {
-                    const float off = std::abs(image.at(x, y) - rays.at(x, y));
-                    result.difference.any += off > 0;
-                    result.difference.visible += off > kVisible;
-                    result.difference.most = std::max(result.difference.most, off);
-                }
+        for (int y = 0; y < rays.height; ++y)
+            for (int x = 0; x < rays.width; ++x)
+                if (!nearAnEdge(rays, traced.receivers(), x, y))
+                    count(result.difference, std::abs(image.at(x, y) - rays.at(x, y)), x, y);
     }
     return result;
 }
@@ -168,13 +174,10 @@ Difference brightened(const Studio& studio, const Scene& scene, const Box& slab)
     const auto after = studio.frame(withSlab(scene, slab));
     const Image &without = before->images.at("visibility"), &with = after->images.at("visibility");
     Difference result;
-    for (std::size_t i = 0; i < with.pixels.size(); ++i) {
-        if (before->images.at("depth").pixels[i] != after->images.at("depth").pixels[i]) continue;
-        const float more = with.pixels[i] - without.pixels[i];
-        result.any += more > 0;
-        result.visible += more > kVisible;
-        result.most = std::max(result.most, more);
-    }
+    for (int y = 0; y < with.height; ++y)
+        for (int x = 0; x < with.width; ++x)
+            if (before->images.at("depth").at(x, y) == after->images.at("depth").at(x, y))
+                count(result, std::max(with.at(x, y) - without.at(x, y), 0.0f), x, y);
     return result;
 }
 
@@ -219,8 +222,10 @@ public:
               program.environment = driverEnvironment(driver);
               return program;
           }()) {
-        for (const std::string& name : request.plan.scenes) {
+        for (const std::string& name :
+             request.scenes.empty() ? request.plan.scenes : request.scenes) {
             scenes_.push_back(onGrid(loadScene(name)));
+            if (request.plan.oneMesh) scenes_.back() = merged(std::move(scenes_.back()));
             if (driver != kFirstDriver) break;  // softpipe is ten times slower
         }
     }
@@ -250,7 +255,7 @@ public:
 
 private:
     Studio studio(const MetamorphicMethod& method) {
-        return Studio(session_, driver_, method.settings);
+        return Studio(session_, driver_, request_.size, method.settings);
     }
 
     std::vector<MetamorphicMethod> methods() const {
@@ -263,7 +268,7 @@ private:
     bool asked(const std::string& relation, const MetamorphicMethod& method) const {
         if (!request_.only.empty() && request_.only != relation) return false;
         const Allowance* a = request_.plan.allowance(relation, method.name, request_.driver);
-        return !a || a->pixels >= 0;
+        return request_.excepted || !a || a->pixels >= 0;
     }
 
     Measured measure(const Relation& relation, const MetamorphicMethod& method, const Scene& scene,

@@ -34,6 +34,7 @@
 //   driver        llvmpipe's picture and softpipe's (asked for in runs on softpipe alone).
 #pragma once
 
+#include <glm/glm.hpp>
 #include <string>
 #include <vector>
 
@@ -51,7 +52,9 @@ inline constexpr float kVisible = 1.0f / 256.0f;
 struct Difference {
     int any = 0;      // pixels that differ at all
     int visible = 0;  // by more than kVisible
+    double sum = 0;   // of what these differ by
     float most = 0;
+    glm::ivec2 where{0, 0};  // the pixel of the most
 };
 
 struct Outcome {
@@ -68,6 +71,9 @@ struct RelationsRequest {
     const MetamorphicPlan& plan;
     std::string driver = "llvmpipe";         // or softpipe: Mesa's rasterisers without a GPU
     std::string only = "", onlyMethod = "";  // relation, method; "" = all
+    std::vector<std::string> scenes = {};    // other than the plan's
+    glm::ivec2 size{64, 64};                 // of all relations but `texels`
+    bool excepted = false;                   // relations that the plan leaves out, too
 };
 
 // Throws Error where the driver is not there: each frame says what drew it.

@@ -67,6 +67,12 @@ Scene reversed(Scene scene) {
     return scene;
 }
 
+Scene merged(Scene scene) {
+    for (std::size_t i = 1; i < scene.meshes.size(); ++i) append(scene.meshes[0], scene.meshes[i]);
+    scene.meshes.resize(1);
+    return scene;
+}
+
 Scene withSlab(Scene scene, const Box& slab) {
     scene.meshes.push_back(box(slab.lower, slab.upper, 0));
     scene.meshes.back().name = "slab";

@@ -25,6 +25,9 @@ glm::dmat3 obliqueTurn();            // 37 degrees about (1, 2, 3)
 // Meshes in reverse order, the triangles of each likewise.
 Scene reversed(Scene scene);
 
+// All meshes in one.
+Scene merged(Scene scene);
+
 // A slab, or only the eight specks in its corners: with either, a light's view that is fitted to
 // its blockers is the same.
 Scene withSlab(Scene scene, const Box& slab);
