@@ -78,8 +78,8 @@ void printBrightening(const Place& place, const MetamorphicPlan& plan) {
                 sum += o.measured.sum, count += o.measured.visible;
                 most = std::max(most, double(o.measured.most));
             }
-            row += fmt::format(" | {:.1f} to {:.1f} %, .{:03.0f}, .{:02.0f}", 100 * least,
-                               100 * largest, count ? 1000 * sum / count : 0.0, 100 * most);
+            row += fmt::format(" | {:.1f} to {:.1f} %, {:.3f}, {:.2f}", 100 * least, 100 * largest,
+                               count ? sum / count : 0.0, most);
         }
         fmt::print("{} |\n", row);
     }

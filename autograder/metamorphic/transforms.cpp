@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "core/error.h"
 #include "scene/shapes.h"
 
 namespace penumbra {
@@ -99,9 +100,20 @@ Scene withSpecks(Scene scene, const Box& slab) {
 Box slabBeforeTheLight(const Scene& scene) {
     const Light& light = scene.lights[0];
     const glm::vec3 middle = bounds(scene).center();
-    const glm::vec3 at = onGrid(glm::mix(middle, light.center, 0.5f));
-    const float half = 0.5f * light.width;
-    return {at - glm::vec3(half, 0.03125f, half), at + glm::vec3(half, 0.03125f, half)};
+    const glm::vec3 half(0.5f * light.width, 0.03125f, 0.5f * light.width);
+    const glm::mat4 clipFromWorld = scene.camera.clipFromView(1) * scene.camera.viewFromWorld();
+    const auto inView = [&](glm::vec3 p) {
+        const glm::vec4 clip = clipFromWorld * glm::vec4(p, 1.0f);
+        return std::max({std::abs(clip.x), std::abs(clip.y), std::abs(clip.z)}) < clip.w;
+    };
+    for (float way = 0.4f; way < 0.75f; way += 0.05f) {
+        const glm::vec3 at = onGrid(glm::mix(middle, light.center, way));
+        int corners = 0;
+        for (int i = 0; i < 8; ++i)
+            corners += inView(at + half * (2.0f * glm::vec3(i & 1, i >> 1 & 1, i >> 2) - 1.0f));
+        if (corners == 0 || corners == 8) return {at - half, at + half};
+    }
+    throw Error("no place for a slab before the light", scene.name, "take another scene");
 }
 
 Scene twoBoxes() {

@@ -33,8 +33,8 @@ Scene merged(Scene scene);
 Scene withSlab(Scene scene, const Box& slab);
 Scene withSpecks(Scene scene, const Box& slab);
 
-// Between light and scene: a thin slab as wide as the light, beside the middle, so that its shadow
-// falls over others' edges.
+// Between light and scene: a thin slab as wide as the light, on the way from the middle to it,
+// where the camera sees all of it or nothing (then its corners are fitted as it is).
 Box slabBeforeTheLight(const Scene& scene);
 
 // Two tall boxes far apart on a ground, under a light of width 1/2. `lowBox`: where a third one
