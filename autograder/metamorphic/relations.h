@@ -23,7 +23,7 @@
 //   blocker       a box whose penumbra stays apart from all others never brightens.
 //   any blocker   nor does a slab before the light, which shadows others' shadows: true of what
 //                 knows all blockers of a ray. One map of the nearest depths forgets those behind
-//                 the slab, and what they would do to a penumbra (docs/grading.md has figures).
+//                 the slab, and what they would do to a penumbra (docs/metamorphic.md has figures).
 //                 Of both: the pictures compared hold the blocker or its corners, so that no view
 //                 is fitted anew, and only pixels where the camera sees the same surface count.
 //   limit         along the plan's steps to a hard shadow pictures come ever nearer to rays to the
