@@ -27,8 +27,9 @@
 //                 Of both: the pictures compared hold the blocker or its corners, so that no view
 //                 is fitted anew, and only pixels where the camera sees the same surface count.
 //   limit         along the plan's steps to a hard shadow pictures come ever nearer to rays to the
-//                 light's center; the last equals them wherever a 5 x 5 neighbourhood of the rays'
-//                 picture is all lit or all dark. Pixels counted: those that do not.
+//                 light's center; the last equals them wherever their picture is all lit or all
+//                 dark within two pixels, and the surface one facet within one. Pixels counted:
+//                 those that do not.
 //   order         meshes and triangles in reverse order. Depth tests, sums of integers and minima
 //                 do not ask who came first.
 //   driver        llvmpipe's picture and softpipe's (asked for in runs on softpipe alone).
