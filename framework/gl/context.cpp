@@ -40,7 +40,17 @@ bool Context::software() const {
            name.find("softpipe") != std::string::npos || name.find("swrast") != std::string::npos;
 }
 
+Context::Function Context::extension(const std::string& name, const char* function) const {
+    GLint count = 0;
+    glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+    for (GLint i = 0; i < count; ++i)
+        if (name == reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, GLuint(i))))
+            return loader_(function);
+    return nullptr;
+}
+
 void Context::load(Loader loader) {
+    loader_ = loader;
     const int version = gladLoadGL(reinterpret_cast<GLADloadfunc>(loader));
     if (version < GLAD_MAKE_VERSION(4, 1))
         throw Error("OpenGL 4.1 is needed", backend(), "update the graphics driver");

@@ -34,10 +34,17 @@ public:
     // llvmpipe, softpipe, swrast: no GPU, so timer queries do not tell the time.
     bool software() const;
 
+    // A function of an extension past OpenGL 4.1, null where the driver does not list it.
+    using Function = void (*)();
+    Function extension(const std::string& name, const char* function) const;
+
 protected:
-    using Loader = void (*(*)(const char*))();
+    using Loader = Function (*)(const char*);
     Context() = default;
     void load(Loader loader);  // reads entry points, checks the version, turns debug output on
+
+private:
+    Loader loader_ = nullptr;
 };
 
 // Throws Error when that back end is not there. `glfwVisible` sizes and shows a window.
