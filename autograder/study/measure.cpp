@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/handout_hash.h"
 #include "core/progress.h"
 #include "scene/gallery.h"
 #include "truth/scene_truth.h"
@@ -29,13 +30,25 @@ std::vector<std::string> pointsOf(const StudyProgram& program, bool quick) {
     return points;
 }
 
+// Of a submission's files: they are staged anew each time, so that their dates say nothing.
+std::string layersHash(const VariantProgram& program) {
+    std::vector<fs::path> files;
+    for (const fs::path& layer : program.layers)
+        for (const auto& entry : fs::directory_iterator(layer)) files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    std::string hashes;
+    for (const fs::path& file : files) hashes += contentHash(file) + " ";
+    return hashes;
+}
+
 // The name under which an answer is kept: anything that changes the question changes it.
 std::string keptName(const StudyRequest& request, const StudyProgram& program,
                      const std::string& scene, int round) {
     const std::string question =
-        fmt::format("{}x{} {} {} {}", request.size.x, request.size.y, request.repetitions,
+        fmt::format("{}x{} {} {} {} {}", request.size.x, request.size.y, request.repetitions,
                     fmt::join(pointsOf(program, request.quick), " "),
-                    fs::last_write_time(program.program.executable).time_since_epoch().count());
+                    fs::last_write_time(program.program.executable).time_since_epoch().count(),
+                    layersHash(program.program));
     return fmt::format("{}-{}-{}-{:016x}.frame", scene, program.name, round,
                        std::hash<std::string>()(question));
 }
@@ -213,13 +226,15 @@ StudyResults measure(const StudyRequest& request) {
                                  .scene = answer.scene,
                                  .settings = settings,
                                  .error = answer.error,
-                                 .competitor = answer.program->competitor};
+                                 .competitor = answer.program->competitor,
+                                 .submission = answer.program->submission};
                 if (!answer.rounds.empty()) {
                     const auto& info = answer.rounds.front()->info;
                     point.light = info.at("light_model");
                     results.renderer = info.at("renderer");
                     results.version = info.at("version");
                     results.timer = info.at("timer");
+                    results.totalsTimer = info.at("totals_timer");
                     if (const auto it = info.find(fmt::format("error.{}", i)); it != info.end())
                         point.error = it->second;
                 }
@@ -235,11 +250,13 @@ StudyResults measure(const StudyRequest& request) {
     findFronts(results.points);
     for (const StudyTruth& t : results.truths)
         for (const StudyPoint& p : results.points)
-            if (p.front && p.scene == t.scene && p.light == t.light &&
-                t.standardError > 0.3 * p.metrics.rmse)
+            if (p.error.empty() && p.scene == t.scene && p.light == t.light &&
+                p.metrics.rmse < 3 * t.standardError)
                 results.warnings.push_back(fmt::format(
-                    "{}: truth's own standard error {:.4f} is not well below {}'s error {:.4f}",
-                    t.scene, t.standardError, p.curve, p.metrics.rmse));
+                    "{}: {}, {}: error {:.4f} is below 3 times the truth's own standard error "
+                    "{:.4f}",
+                    t.scene, p.curve, p.settings.empty() ? "defaults" : p.settings, p.metrics.rmse,
+                    t.standardError));
     return results;
 }
 

@@ -77,15 +77,18 @@ std::vector<StudyProgram> studyPrograms(const fs::path& build,
     std::vector<StudyProgram> programs;
     for (const std::string& name : chosen(known, names)) {
         const Place place{.root = repositoryRoot(), .build = build, .assignment = name};
-        const auto curves = loadCurves(autograder / name / "study.json");
-        if (!submission.empty()) {
-            Variant variant = submissionVariant(place, submission);
-            if (!variant.program.broken.empty())
-                throw Error(variant.program.broken, submission.string(), "mend it first");
-            programs.push_back({"submission", variant.program, curves});
-        }
+        auto curves = loadCurves(autograder / name / "study.json");
         if (fs::is_directory(repositoryRoot() / "solutions" / name))
             programs.push_back({name, solutionVariant(place).program, curves});
+        if (submission.empty()) continue;
+        const Variant variant = submissionVariant(place, submission);
+        if (!variant.program.broken.empty())
+            throw Error(variant.program.broken, submission.string(), "mend it first");
+        for (StudyCurve& curve : curves) curve.name = variant.name + ": " + curve.name;
+        programs.push_back({.name = name + " of " + variant.name,
+                            .program = variant.program,
+                            .curves = curves,
+                            .submission = true});
     }
     const fs::path competitors = autograder / "study/competitors";
     for (const std::string& name : foldersWithPlan(competitors))

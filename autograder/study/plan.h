@@ -25,18 +25,20 @@ struct StudyCurve {
 };
 
 struct StudyProgram {
-    std::string name;  // 06-pcss, rays
+    std::string name;  // 06-pcss, 06-pcss of ada, rays
     VariantProgram program;
     std::vector<StudyCurve> curves;
     bool competitor = false;
+    bool submission = false;
 };
 
 // Throws Error for a file that is missing, is no JSON or breaks the rules above.
 std::vector<StudyCurve> loadCurves(const std::filesystem::path& file);
 
 // Every assignment with a study.json and a solution, or only those that `names` (shortened as
-// ./course does) say; then the competitors. `submission`: instead of the one named assignment's
-// solution, and beside it. Throws Error for a name that fits none or several.
+// ./course does) say; then the competitors. `submission`, a student's folder, comes after the one
+// named assignment's solution; its curves are named for the folder. Throws Error for a name that
+// fits none or several.
 std::vector<StudyProgram> studyPrograms(const std::filesystem::path& build,
                                         const std::vector<std::string>& names,
                                         const std::filesystem::path& submission);

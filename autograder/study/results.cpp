@@ -27,8 +27,9 @@ Json jsonOf(const Metrics& m) {
 }
 
 Json jsonOf(const StudyPoint& p) {
-    Json json = {{"program", p.program},   {"curve", p.curve}, {"scene", p.scene},
-                 {"settings", p.settings}, {"light", p.light}, {"competitor", p.competitor}};
+    Json json = {{"program", p.program},      {"curve", p.curve}, {"scene", p.scene},
+                 {"settings", p.settings},    {"light", p.light}, {"competitor", p.competitor},
+                 {"submission", p.submission}};
     if (!p.error.empty()) {
         json["error"] = p.error;
         return json;
@@ -49,6 +50,14 @@ std::string quoted(const std::string& text) {
     std::string result = "\"";
     for (const char c : text) result += c == '"' ? "\"\"" : std::string(1, c);
     return result + "\"";
+}
+
+// "light=1.2;shade=3.4": median milliseconds
+std::string passesText(const StudyPoint& p) {
+    std::string text;
+    for (const auto& [pass, ms] : p.passes)
+        text += fmt::format("{}{}={:.4g}", text.empty() ? "" : ";", pass, ms);
+    return text;
 }
 
 }  // namespace
@@ -82,7 +91,11 @@ std::string studyJson(const StudyResults& r) {
     Json json = {{"date", r.date},
                  {"commit", r.commit},
                  {"processor", r.processor},
-                 {"gl", {{"renderer", r.renderer}, {"version", r.version}, {"timer", r.timer}}},
+                 {"gl",
+                  {{"renderer", r.renderer},
+                   {"version", r.version},
+                   {"timer", r.timer},
+                   {"totals_timer", r.totalsTimer}}},
                  {"size", {r.size.x, r.size.y}},
                  {"quick", r.quick},
                  {"repetitions", r.repetitions},
@@ -101,7 +114,7 @@ std::string studyCsv(const StudyResults& r) {
     std::string csv =
         "scene,light,program,curve,settings,rmse,mean_absolute,percentile_99,penumbra_rmse,"
         "false_shadow_rate,light_leak_rate,floors_median,floors_minimum,floors_maximum,"
-        "frame_ms_median,floor_ms_median,wall_ms_median,texture_bytes,front,error,truth\n";
+        "frame_ms_median,floor_ms_median,wall_ms_median,passes,texture_bytes,front,error,truth\n";
     for (const StudyPoint& p : r.points) {
         const auto truth = std::find_if(r.truths.begin(), r.truths.end(), [&](const StudyTruth& t) {
             return t.scene == p.scene && t.light == p.light;
@@ -113,13 +126,13 @@ std::string studyCsv(const StudyResults& r) {
         if (p.error.empty())
             csv += fmt::format(
                 "{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.4g},{:.4g},{:.4g},"
-                "{:.4g},{:.4g},{:.4g},{:.0f},{},,{}\n",
+                "{:.4g},{:.4g},{:.4g},{},{:.0f},{},,{}\n",
                 m.rmse, m.meanAbsolute, m.percentile99, m.penumbraRmse, m.falseShadowRate,
                 m.lightLeakRate, p.floors.median, p.floors.minimum, p.floors.maximum,
-                p.frame.median, p.floor.median, p.wall.median, p.textureBytes, p.front ? 1 : 0,
-                kind);
+                p.frame.median, p.floor.median, p.wall.median, quoted(passesText(p)),
+                p.textureBytes, p.front ? 1 : 0, kind);
         else
-            csv += ",,,,,,,,,,,,,," + quoted(p.error) + "," + kind + "\n";
+            csv += ",,,,,,,,,,,,,,," + quoted(p.error) + "," + kind + "\n";
     }
     return csv;
 }

@@ -23,6 +23,7 @@ struct StudyPoint {
     std::string light = "";  // point | square: the truth that it is compared with
     std::string error = "";  // no figures: why
     bool competitor = false;
+    bool submission = false;
     Metrics metrics = {};
     Spread frame = {}, floor = {}, floors = {};  // milliseconds, milliseconds, frame / floor
     Spread wall = {};                            // milliseconds by the clock on the wall
@@ -43,7 +44,8 @@ struct StudyTruth {
 };
 
 struct StudyResults {
-    std::string date, commit, processor, renderer, version, timer;
+    std::string date, commit, processor, renderer, version;
+    std::string timer, totalsTimer;  // what passes are timed with; frames and floors
     glm::ivec2 size{0};
     bool quick = false;
     int repetitions = 0;

@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "core/process.h"
+#include "scene/gallery.h"
 #include "study/page.h"
 #include "study/plan.h"
 #include "study/style.h"
@@ -76,7 +77,7 @@ TEST(StudyStyle, TellsCurvesOfOneProgramByMarkerAndProgramsByColour) {
     results.points = {point("a", 1, 0.1), point("a", 2, 0.1), point("a", 3, 0.1),
                       point("a", 4, 0.1), point("b", 1, 0.1)};
     results.points[1].curve = "PCF";
-    results.points[2].program = "submission";  // the same curve's name
+    results.points[2].program = "06-pcss of ada", results.points[2].submission = true;
     results.points[3].program = "rays", results.points[3].competitor = true;
     const auto styles = curveStyles(results);
     ASSERT_EQ(styles.size(), 4u);
@@ -84,6 +85,31 @@ TEST(StudyStyle, TellsCurvesOfOneProgramByMarkerAndProgramsByColour) {
     EXPECT_NE(styles[0].marker, styles[1].marker);
     EXPECT_NE(styles[0].color, styles[2].color);
     EXPECT_EQ(styles[3].color, "var(--ink)");
+}
+
+TEST(StudyStyle, AProgramHasItsColourInEveryStudy) {
+    StudyResults one, all;
+    one.points = {point("a", 1, 0.1)};
+    all.points = {point("a", 1, 0.1), point("a", 1, 0.1)};
+    all.points[0].program = "03-planar-shadows";
+    EXPECT_EQ(curveStyles(one)[0].color, curveStyles(all)[1].color);
+    EXPECT_NE(curveStyles(all)[0].color, curveStyles(all)[1].color);
+}
+
+TEST(StudyPlan, ASubmissionLiesBesideTheSolutionUnderTheStudentsName) {
+    if (!std::filesystem::exists(repositoryRoot() / "solutions/07-vssm"))
+        GTEST_SKIP() << "a tree without solutions";
+    const ScratchFolder folder;
+    const auto ada = folder.path() / "ada";
+    std::filesystem::create_directories(ada);
+    std::filesystem::copy(repositoryRoot() / "solutions/07-vssm/chebyshev.glsl", ada);
+    const auto programs = studyPrograms(PENUMBRA_BUILD, {"07"}, ada);
+    ASSERT_GE(programs.size(), 2u);
+    EXPECT_EQ(programs[0].name, "07-vssm");
+    EXPECT_EQ(programs[1].name, "07-vssm of ada");
+    EXPECT_EQ(programs[1].curves[0].name, "ada: " + programs[0].curves[0].name);
+    EXPECT_FALSE(programs[0].submission);
+    EXPECT_TRUE(programs[1].submission);
 }
 
 TEST(StudyPicture, AnErrorOfZeroHasAPlaceOfItsOwn) {

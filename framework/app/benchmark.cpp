@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <optional>
 
 #include "app/headless.h"
 #include "core/error.h"
@@ -27,12 +28,26 @@ double wallMilliseconds() {
         .count();
 }
 
-using Clock = double (*)();
-
-// What the machine does for others counts against nobody where the rasteriser is a process.
-Clock clockFor(const Context& context) {
-    return context.software() ? cpuMilliseconds : wallMilliseconds;
+// Milliseconds until all of it is drawn. Where the rasteriser is a process, what the machine does
+// for others counts against nobody.
+template <typename Draw>
+double totalMilliseconds(Draw&& draw) {
+    glFinish();
+    if (usesTimerQueries()) {
+        Times times;
+        {
+            const auto timing = times.time("total");
+            draw();
+        }
+        return times.milliseconds().at("total");
+    }
+    const double start = cpuMilliseconds();
+    draw();
+    glFinish();
+    return cpuMilliseconds() - start;
 }
+
+std::string totalsTimer() { return usesTimerQueries() ? "timer queries" : "process CPU time"; }
 
 struct Repetition {
     double frame = 0, wall = 0, floor = 0;  // floor: mean of the one before and the one after
@@ -72,8 +87,7 @@ void withSettings(Settings& settings, const std::string& change, Draw&& draw) {
 // all. The session's scene stays; only settings change.
 class Bench {
 public:
-    Bench(Session& session, glm::ivec2 size, Clock clock)
-        : session_(session), size_(size), clock_(clock) {}
+    Bench(Session& session, glm::ivec2 size) : session_(session), size_(size) {}
 
     void warmUp() {
         for (int i = 0; i < 2; ++i) floorTime();  // shaders compile at the first draw
@@ -86,35 +100,29 @@ public:
         if (advance > 0) session_.settings().advance(advance);
         Repetition r;
         glFinish();
-        const double wall = wallMilliseconds(), start = clock_();
-        r.passes = session_.render(size_, {{"color"}}).milliseconds();
-        glFinish();
-        r.frame = clock_() - start;
+        const double wall = wallMilliseconds();
+        std::optional<Frame> frame;
+        r.frame = totalMilliseconds([&] { frame.emplace(session_.render(size_, {{"color"}})); });
         r.wall = wallMilliseconds() - wall;
+        r.passes = frame->milliseconds();
         r.floor = 0.5 * (before + floorTime());
         return r;
     }
 
 private:
     double floorTime() {
-        glFinish();
-        const double start = clock_();
-        floor_.render(session_.view(size_));
-        glFinish();
-        return clock_() - start;
+        return totalMilliseconds([&] { floor_.render(session_.view(size_)); });
     }
 
     Session& session_;
     glm::ivec2 size_;
-    Clock clock_;
     FloorPasses floor_{1024};
 };
 
-std::vector<Variation> measureRounds(Session& session, const BenchmarkRequest& request,
-                                     Clock clock) {
+std::vector<Variation> measureRounds(Session& session, const BenchmarkRequest& request) {
     std::vector<Variation> variations = {{""}};
     for (const std::string& change : request.varied) variations.push_back({change});
-    Bench bench(session, request.size, clock);
+    Bench bench(session, request.size);
     bench.warmUp();
     const bool still = request.varied.empty() && !request.play;
     for (int i = 0; i < request.repetitions; ++i)
@@ -153,14 +161,14 @@ double rmseAgainstRays(Session& session, glm::ivec2 size) {
 
 void printBenchmark(Session& session, const Context& context, const BenchmarkRequest& request) {
     const auto [x, y] = std::pair(request.size.x, request.size.y);
-    fmt::print("{} · {} · {}x{} · {} repetitions · {} milliseconds, minimum / median / maximum\n",
-               context.renderer(), context.backend(), x, y, request.repetitions,
-               context.software() ? "process CPU" : "wall-clock");
+    fmt::print(
+        "{} · {} · {}x{} · {} repetitions · milliseconds by {}, minimum / median / maximum\n",
+        context.renderer(), context.backend(), x, y, request.repetitions, totalsTimer());
     fmt::print("{:<28} {:>24} {:>24} {:>24} {:>8}\n", "scene", "floor", "frame", "frame / floor",
                "RMSE");
     for (const std::string& name : request.scenes) {
         session.open(loadScene(name));
-        for (const Variation& v : measureRounds(session, request, clockFor(context)))
+        for (const Variation& v : measureRounds(session, request))
             withSettings(session.settings(), v.change, [&] {
                 const auto floors = v.each([](const Repetition& r) { return r.floor; });
                 const auto frames = v.each([](const Repetition& r) { return r.frame; });
@@ -178,7 +186,8 @@ void printBenchmark(Session& session, const Context& context, const BenchmarkReq
 void sweepToFrameFile(Session& session, const Context& context, const BenchmarkRequest& request,
                       const std::filesystem::path& file) {
     FrameFile result{.images = {}, .milliseconds = {}, .info = infoStrings(session, context)};
-    Bench bench(session, request.size, clockFor(context));
+    Bench bench(session, request.size);
+    result.info["totals_timer"] = totalsTimer();
     bench.warmUp();
     const std::size_t before = Texture::liveBytes();
     for (int r = 0; r < request.repetitions; ++r)

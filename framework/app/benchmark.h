@@ -23,8 +23,8 @@ struct BenchmarkRequest {
 };
 
 // Cost in floors and RMSE against rays of each scene, printed as a table: the settings as they are,
-// then each variation. Medians and spread of process CPU time on a software rasteriser, of the wall
-// clock on a GPU.
+// then each variation. Medians and spread of process CPU time on a software rasteriser, of timer
+// queries on a GPU.
 void printBenchmark(Session& session, const Context& context, const BenchmarkRequest& request);
 
 // The same measurement of the open scene, every figure in one core/frame_file.h file, variation i
@@ -32,7 +32,8 @@ void printBenchmark(Session& session, const Context& context, const BenchmarkReq
 //
 //   images        "visibility.i"
 //   milliseconds  "frame.i.r", "floor.i.r", "wall.i.r", "pass.i.r.<name>"
-//   info          infoStrings(), "bytes.i": textures that the technique keeps, "notes.i"
+//   info          infoStrings(), "totals_timer": what frames and floors are timed by, "bytes.i":
+//   textures that the technique keeps, "notes.i"
 //
 // A variation whose frame fails is named in info "error.i"; the others go on.
 void sweepToFrameFile(Session& session, const Context& context, const BenchmarkRequest& request,

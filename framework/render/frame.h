@@ -52,7 +52,7 @@ public:
     void output(const std::string& name, Image image) { images_[name] = std::move(image); }
 
     // Times everything until the returned timer is destroyed; two timings of one name add up.
-    PassTimer time(const std::string& pass) { return PassTimer(milliseconds_[pass]); }
+    Times::Span time(const std::string& pass) { return times_.time(pass); }
 
     // What a person who looks at this frame should know: "mesh net has an alpha mask: its holes
     // cast shadow, too". One line; shown beside the picture and in frame.json.
@@ -61,7 +61,8 @@ public:
     const std::vector<std::string>& notes() const { return notes_; }
     const std::map<std::string, const Texture*>& textures() const { return textures_; }
     const std::map<std::string, Image>& images() const { return images_; }
-    const std::map<std::string, double>& milliseconds() const { return milliseconds_; }
+    // Waits for a GPU: after the frame.
+    const std::map<std::string, double>& milliseconds() const { return times_.milliseconds(); }
 
     // Reads back every wanted image. Throws Error if a wanted name was not handed over.
     std::map<std::string, Image> read() const;
@@ -70,7 +71,7 @@ private:
     std::optional<std::set<std::string>> wanted_;
     std::map<std::string, const Texture*> textures_;
     std::map<std::string, Image> images_;
-    std::map<std::string, double> milliseconds_;
+    Times times_;
     std::vector<std::string> notes_;
 };
 
