@@ -167,15 +167,6 @@ inline Scene posed(Scene scene, int pose) {
     return scene;
 }
 
-inline Scene scaled(Scene scene, float factor) {
-    for (Mesh& mesh : scene.meshes)
-        for (vec3& p : mesh.positions) p *= factor;
-    for (Light& light : scene.lights) light.center *= factor, light.width *= factor;
-    scene.camera.eye *= factor, scene.camera.target *= factor;
-    scene.camera.nearPlane *= factor, scene.camera.farPlane *= factor;
-    return scene;
-}
-
 inline std::vector<dvec3> cornersOf(const Mesh& convex) {
     return std::vector<dvec3>(convex.positions.begin(), convex.positions.end());
 }

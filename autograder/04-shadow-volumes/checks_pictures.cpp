@@ -229,16 +229,6 @@ TEST(Task8WholeShadow, LanternsOfTheCourtyardAgreeWithRays) {
     }
 }
 
-Scene scaled(Scene scene, float factor) {
-    for (Mesh& mesh : scene.meshes)
-        for (vec3& p : mesh.positions) p *= factor;
-    for (Light& light : scene.lights) light.center *= factor, light.width *= factor;
-    Camera& camera = scene.camera;
-    camera.eye *= factor, camera.target *= factor;
-    camera.nearPlane *= factor, camera.farPlane *= factor;
-    return scene;
-}
-
 TEST(Task8WholeShadow, HugeAndTinyScenesCastTheSameShadow) {
     const Scene scene = loadScene("stairs@4");
     const Image usual = pictureOf(scene, {}, "visibility");

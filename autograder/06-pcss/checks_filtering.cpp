@@ -131,17 +131,6 @@ TEST(Task5Pcss, WithoutABlockerAllIsLit) {
     EXPECT_IMAGE_NEAR(frame.at("blocker_depth"), none, {.maximum = 0, .cause = "nothing blocks"});
 }
 
-// `scene` with every length times `scale`.
-Scene scaled(Scene scene, float scale) {
-    for (Mesh& mesh : scene.meshes)
-        for (vec3& p : mesh.positions) p *= scale;
-    for (Light& light : scene.lights) light.center *= scale, light.width *= scale;
-    Camera& camera = scene.camera;
-    camera.eye *= scale, camera.target *= scale;
-    camera.nearPlane *= scale, camera.farPlane *= scale;
-    return scene;
-}
-
 TEST(Task5Pcss, ScalingTheWorldChangesNothing) {
     const Scene scene = loadScene("stairs@4");
     const Rendered one = render({.scene = sceneFile(scene), .size = kSmall});

@@ -185,17 +185,6 @@ TEST(Task6SoftShadows, WhereNothingBlocksTheHorizonAloneCounts) {
                       {.maximum = 0, .cause = "bare ground under the whole light: no blocker"});
 }
 
-// `scene` with every length times `scale`.
-Scene scaled(Scene scene, float scale) {
-    for (Mesh& mesh : scene.meshes)
-        for (vec3& p : mesh.positions) p *= scale;
-    for (Light& light : scene.lights) light.center *= scale, light.width *= scale;
-    Camera& camera = scene.camera;
-    camera.eye *= scale, camera.target *= scale;
-    camera.nearPlane *= scale, camera.farPlane *= scale;
-    return scene;
-}
-
 TEST(Task6SoftShadows, ScalingTheWorldChangesNothing) {
     const Scene scene = loadScene("stairs@5");
     const Rendered one = render({.scene = sceneFile(scene), .size = kFrame});

@@ -139,14 +139,4 @@ Scene settingLight() {
     return scene;
 }
 
-Scene scaled(Scene scene, float scale) {
-    for (Mesh& mesh : scene.meshes)
-        for (glm::vec3& p : mesh.positions) p *= scale;
-    for (Light& light : scene.lights) light.center *= scale, light.width *= scale;
-    Camera& camera = scene.camera;
-    camera.eye *= scale, camera.target *= scale;
-    camera.nearPlane *= scale, camera.farPlane *= scale;
-    return scene;
-}
-
 }  // namespace penumbra

@@ -41,6 +41,5 @@ private:
 // Scenes of our own.
 Scene bareGround();
 Scene settingLight();  // a wide light, half of it below the ground that it shines along
-Scene scaled(Scene scene, float scale);  // every length times `scale`
 
 }  // namespace penumbra

@@ -44,17 +44,6 @@ double meanOf(const Image& image) {
     return sum / double(image.pixels.size());
 }
 
-// `scene` with every length times `scale`.
-Scene scaled(Scene scene, float scale) {
-    for (Mesh& mesh : scene.meshes)
-        for (vec3& p : mesh.positions) p *= scale;
-    for (Light& light : scene.lights) light.center *= scale, light.width *= scale;
-    Camera& camera = scene.camera;
-    camera.eye *= scale, camera.target *= scale;
-    camera.nearPlane *= scale, camera.farPlane *= scale;
-    return scene;
-}
-
 TEST(Task7WholeShadow, ScalingTheWorldChangesNothing) {
     const Scene scene = SlabStage{.turnRadians = 0.5}.scene();
     const SettingList settings{"grid=64"};

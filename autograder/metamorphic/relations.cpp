@@ -115,8 +115,8 @@ struct Measured {
 };
 
 Measured scale(const Studio& studio, const Scene& scene) {
-    const Difference larger = studio.between(scene, scaled(scene, 10));
-    const Difference smaller = studio.between(scene, scaled(scene, -10));
+    const Difference larger = studio.between(scene, scaled(scene, 1024.0f));
+    const Difference smaller = studio.between(scene, scaled(scene, 1 / 1024.0f));
     return {larger.any > smaller.any ? larger : smaller};
 }
 

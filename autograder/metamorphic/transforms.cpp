@@ -29,14 +29,6 @@ Scene onGrid(Scene scene) {
     return scene;
 }
 
-Scene scaled(Scene scene, int exponent) {
-    const float scale = std::ldexp(1.0f, exponent);
-    forEachPoint(scene, [&](glm::vec3 p) { return scale * p; });
-    for (Light& light : scene.lights) light.width *= scale, light.range *= scale;
-    scene.camera.nearPlane *= scale, scene.camera.farPlane *= scale;
-    return scene;
-}
-
 Scene moved(Scene scene, glm::vec3 by) {
     forEachPoint(scene, [&](glm::vec3 p) { return p + by; });
     return scene;

@@ -13,8 +13,6 @@ namespace penumbra {
 // up to 8192 rounds nothing.
 Scene onGrid(Scene scene);
 
-// By 2^exponent: nothing is rounded.
-Scene scaled(Scene scene, int exponent);
 Scene moved(Scene scene, glm::vec3 by);
 
 // `rotation`: orthonormal, determinant 1. Nothing is rounded where its entries are 0, 1 and -1.

@@ -23,4 +23,15 @@ std::size_t triangleCount(const Scene& scene) {
     return count;
 }
 
+Scene scaled(Scene scene, float factor) {
+    for (Mesh& mesh : scene.meshes)
+        for (glm::vec3& p : mesh.positions) p *= factor;
+    for (Light& light : scene.lights)
+        light.center *= factor, light.width *= factor, light.range *= factor;
+    Camera& camera = scene.camera;
+    camera.eye *= factor, camera.target *= factor;
+    camera.nearPlane *= factor, camera.farPlane *= factor;
+    return scene;
+}
+
 }  // namespace penumbra

@@ -73,4 +73,7 @@ Box bounds(std::span<const Mesh> meshes);
 Box bounds(const Scene& scene);
 std::size_t triangleCount(const Scene& scene);
 
+// Every length times `factor`, of light and camera, too. A power of two rounds nothing.
+Scene scaled(Scene scene, float factor);
+
 }  // namespace penumbra
