@@ -25,6 +25,7 @@ struct ZooCase {
 struct ZooResult {
     std::string measured;                    // "rmse 0.0123"; or why there is no frame
     bool passed = false;                     // the whole check
+    bool answered = false;                   // a frame came, if only one of NaN
     std::string mine = "", difference = "";  // PNG in base64, "" where no images are compared
 };
 
@@ -34,7 +35,8 @@ struct ZooRow {
     std::string subject, bound, cause;
     ZooResult naive, solution;
     std::string truth = "";  // PNG in base64
-    bool holds() const { return solution.passed && !naive.passed; }
+    // A program that crashes breaks no bound.
+    bool holds() const { return solution.passed && naive.answered && !naive.passed; }
 };
 
 // Of every assignment that has a zoo.json and a solution. Throws Error for a case that names no

@@ -32,7 +32,9 @@ int zoo(const std::filesystem::path& out, bool list) {
     for (const ZooRow& r : rows)
         if (!r.holds())
             fmt::print("{} · {}: naive {}, solution {}\n", r.which.assignment, r.which.failure,
-                       r.naive.passed ? "keeps the bound" : "breaks it",
+                       r.naive.passed     ? "keeps the bound"
+                       : r.naive.answered ? "breaks it"
+                                          : "gives no answer: " + r.naive.measured,
                        r.solution.passed ? "keeps it" : "breaks it");
     bool curvesHold = true;
     for (const ZooCurve& c : curves)
