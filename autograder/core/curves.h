@@ -4,8 +4,8 @@
 //   CURVE(bias) {                                     // bias.svg, for handout and zoo
 //       Curve curve{.title = …, .says = …, .x = {"constant bias [texels]"}, .panels = …};
 //       for (…) curve.panels[0].series[0].points.emplace_back(texels, acneShare(render(…)));
-//       EXPECT_VALUE(acneAtTheMark, Equal, 0, "why");  // a fact of the curve, held by ./course
-//       test return curve;
+//       EXPECT_VALUE(acneAtTheMark, Equal, 0, "why");  // a fact, held by ./course test
+//       return curve;
 //   }
 //
 // N.grade --curves --solution --out DIR measures and draws them all.
