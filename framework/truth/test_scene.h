@@ -73,20 +73,4 @@ inline Scene sceneOf(std::vector<Mesh> meshes) {
     return scene;
 }
 
-// Everything of the scene times `factor`: with a power of two, exactly the same geometry.
-inline Scene scaled(Scene scene, float factor) {
-    for (Mesh& mesh : scene.meshes)
-        for (glm::vec3& p : mesh.positions) p *= factor;
-    scene.camera.eye *= factor;
-    scene.camera.target *= factor;
-    scene.camera.nearPlane *= factor;
-    scene.camera.farPlane *= factor;
-    for (Light& light : scene.lights) {
-        light.center *= factor;
-        light.width *= factor;
-        light.range *= factor;
-    }
-    return scene;
-}
-
 }  // namespace penumbra::testing
