@@ -1,0 +1,13 @@
+// Fails: Task3Boxes.BeyondTheBorderDepthIsOne, Task3Boxes.FourCornersMakeAnyBoxAndPartsOfTexels, Task3Boxes.TheTableIsReadAtCornersOfTexels, Task6SoftShadows.AHalfPlanesPenumbraIsALinearRamp, Task6SoftShadows.ATinyLightCastsAHardShadowAndAHugeOneStaysFinite, Task6SoftShadows.WhereNothingBlocksTheHorizonAloneCounts, Task8WholeShadow.BoxesAgreeWithRays, Task8WholeShadow.FenceAgreesWithRays, Task8WholeShadow.FoliageAgreesWithRays, Task8WholeShadow.StairsAgreeWithRays · edges of boxes are rounded to the squares of a mip level, 8 texels wide
+vec2 tableUv(vec2 corner, vec2 texelSizeUv) { return (8.0 * floor(corner / 8.0 + 0.5) - 0.5) * texelSizeUv; }
+
+vec2 boxSum(vec2 lowLow, vec2 highLow, vec2 lowHigh, vec2 highHigh) { return highHigh - lowHigh - highLow + lowLow; }
+
+vec2 withBorder(vec2 meanInside, float shareInside, float center) {
+    float border = 1.0 - center;
+    return mix(vec2(border, border * border), meanInside, shareInside);
+}
+
+vec2 meanVariance(vec2 moments, float center, float minVariance) {
+    return vec2(moments.x + center, max(moments.y - moments.x * moments.x, minVariance));
+}
