@@ -15,5 +15,5 @@ Blockers findBlockers(Receiver receiver, vec2 widthUv) {
             count += blocker;
             sum += blocker * depth;
         }
-    return Blockers(count * inverse * inverse, count > 0.0 ? sum / count : 0.0);
+    return Blockers(count / float(soft.searchSamples * soft.searchSamples), count > 0.0 ? sum / count : 0.0);
 }

@@ -1,4 +1,4 @@
-// Fails: Task2ReceiverPlane.NoFalseShadowOnAPlaneFrom10To89Degrees, Task3Pcf.ComparesFirstAndFiltersTheAnswers, Task5Pcss.AHalfPlanesPenumbraIsALinearRamp, Task5Pcss.TheHorizonIsCountedOnce, Task8WholeShadow.BoxesAgreeWithRays, Task8WholeShadow.FenceAgreesWithRays, Task8WholeShadow.FoliageAgreesWithRays, Task8WholeShadow.StairsAgreeWithRays · depths are averaged, and the mean is compared
+// Fails: Task2ReceiverPlane.NoFalseShadowOnAPlaneFrom10To89Degrees, Task3Pcf.ComparesFirstAndFiltersTheAnswers, Task5Pcss.AHalfPlanesPenumbraIsALinearRamp, Task5Pcss.FiltersAsTheSearchSays, Task5Pcss.TheHorizonIsCountedOnce, Task8WholeShadow.BoxesAgreeWithRays, Task8WholeShadow.FenceAgreesWithRays, Task8WholeShadow.FoliageAgreesWithRays, Task8WholeShadow.StairsAgreeWithRays · depths are averaged, and the mean is compared
 #include "soft_shadow.glsl"
 
 float percentageCloser(Receiver receiver, vec2 widthUv) {

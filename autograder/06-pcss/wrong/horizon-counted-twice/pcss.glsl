@@ -1,4 +1,4 @@
-// Fails: Task5Pcss.TheHorizonIsCountedOnce · the finished visibility is cut by the horizon once more
+// Fails: Task5Pcss.FiltersAsTheSearchSays, Task5Pcss.TheHorizonIsCountedOnce · the finished visibility is cut by the horizon once more
 #include "soft_shadow.glsl"
 #include "penumbra.glsl"
 #include "blocker_search.glsl"

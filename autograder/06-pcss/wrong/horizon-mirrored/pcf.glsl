@@ -1,4 +1,4 @@
-// Fails: Task5Pcss.TheHorizonIsCountedOnce · the horizon is asked for the opposite point of the light
+// Fails: Task5Pcss.FiltersAsTheSearchSays, Task5Pcss.TheHorizonIsCountedOnce · the horizon is asked for the opposite point of the light
 #include "soft_shadow.glsl"
 
 float percentageCloser(Receiver receiver, vec2 widthUv) {

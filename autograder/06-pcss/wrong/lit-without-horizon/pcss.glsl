@@ -1,4 +1,4 @@
-// Fails: Task5Pcss.TheHorizonIsCountedOnce, Task8WholeShadow.BoxesAgreeWithRays, Task8WholeShadow.FoliageAgreesWithRays · lit where nothing blocks, whatever the horizon
+// Fails: Task5Pcss.FiltersAsTheSearchSays, Task5Pcss.TheHorizonIsCountedOnce, Task8WholeShadow.BoxesAgreeWithRays, Task8WholeShadow.FoliageAgreesWithRays · lit where nothing blocks, whatever the horizon
 #include "soft_shadow.glsl"
 #include "penumbra.glsl"
 #include "blocker_search.glsl"

@@ -1,4 +1,4 @@
-// Fails: Task5Pcss.AHalfPlanesPenumbraIsALinearRamp, Task8WholeShadow.BoxesAgreeWithRays, Task8WholeShadow.FoliageAgreesWithRays, Task8WholeShadow.StairsAgreeWithRays · dark where half of the search blocks
+// Fails: Task5Pcss.AHalfPlanesPenumbraIsALinearRamp, Task5Pcss.FiltersAsTheSearchSays, Task8WholeShadow.BoxesAgreeWithRays, Task8WholeShadow.FoliageAgreesWithRays, Task8WholeShadow.StairsAgreeWithRays · dark where half of the search blocks
 #include "soft_shadow.glsl"
 #include "penumbra.glsl"
 #include "blocker_search.glsl"

@@ -1,4 +1,4 @@
-// Fails: Task8WholeShadow.BoxesAgreeWithRays, Task8WholeShadow.FenceAgreesWithRays, Task8WholeShadow.FoliageAgreesWithRays, Task8WholeShadow.StairsAgreeWithRays · the filter is as wide as the search window
+// Fails: Task5Pcss.FiltersAsTheSearchSays, Task8WholeShadow.BoxesAgreeWithRays, Task8WholeShadow.FenceAgreesWithRays, Task8WholeShadow.FoliageAgreesWithRays, Task8WholeShadow.StairsAgreeWithRays · the filter is as wide as the search window
 #include "soft_shadow.glsl"
 #include "penumbra.glsl"
 #include "blocker_search.glsl"
