@@ -14,8 +14,9 @@ Blockers findBlockers(Receiver receiver) {
 // Task 4c · soft shadows.                                                                  README §4, [Peters et al. 2017]
 // Returns the receiver's visibility: of receiver.lightShare, what is left by the blockers in the filter. The filter is
 // windowUv() of their mean depth, compared with comparedWith(receiver, their mean depth). It is cut into soft.cells ×
-// soft.cells equal parts, each with its own meanMoments() and its own answer: a part's window is that of a receiver whose
-// `light` is the part's rectangle. Without blockers all of receiver.lightShare is left.
+// soft.cells equal parts, each with its own meanMoments() and its own answer: a part's window and
+// compared depth are those of a receiver whose `light` is the part's rectangle. Without blockers all of
+// receiver.lightShare is left.
 float momentVisibility(Receiver receiver) {
     return 1.0;  // yours
 }

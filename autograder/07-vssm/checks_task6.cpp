@@ -16,6 +16,7 @@ constexpr double kLeastWidth = 4.0 / kMap, kMinVariance = 1e-6;
 // A float32 corner of a map of 512 is good to 3e-5 texels; a depth that is good to 1e-4 moves an
 // edge of the next window, up to 150 texels wide, by 1e-2.
 constexpr double kRoundingTexels = 0.02;
+constexpr double kRoundingShare = 1e-4;  // of a cell, by a mean that is good to 1e-5
 
 SettingList bare(SettingList more) {
     for (const char* setting : {"constant_bias=0", "least_width=4", "min_variance=1e-6"})
@@ -23,7 +24,7 @@ SettingList bare(SettingList more) {
     return more;
 }
 
-// --- The search, on plates: every surface has one depth ---
+// --- The search, on plates: every surface but the ground has one depth ---
 
 struct Blockers {
     double share = 0, depth = 0;
@@ -31,10 +32,10 @@ struct Blockers {
 
 class PlatesSearch {
 public:
-    PlatesSearch(int queries, int cells)
+    PlatesSearch(int queries, int cells, float groundSlope = 0.0f)
         : queries_(queries),
           cells_(cells),
-          frame_(render({.scene = sceneFile(platesScene()),
+          frame_(render({.scene = sceneFile(platesScene(groundSlope)),
                          .size = kFrame,
                          .settings = bare({"light_bleeding=0.3",  // no matter of the search's
                                            "queries=" + std::to_string(queries),
@@ -42,18 +43,27 @@ public:
                          .images = {"blocker_depth",
                                     "penumbra_width",
                                     "receiver",
+                                    "light_height",
                                     {"shadow_map", {kMap, kMap}},
                                     kMatrix}})),
           boxes_(frame_.at("shadow_map")),
-          scaleUv_(widthScaleUv(frame_.at("light_clip_from_world"), platesScene().lights[0])) {}
+          scaleUv_(widthScaleUv(frame_.at("light_clip_from_world"),
+                                platesScene(groundSlope).lights[0])) {}
 
     void expectTwin() const;
 
 private:
-    // README §6, in float64. The plates are parallel to the light: none rises over its window. No
-    // answer where a float32 may round an edge of the window to another texel than this does.
-    std::optional<Blockers> inWindow(dvec2 uv, double receiver, dvec2 width) const {
-        const dvec2 low = (uv - 0.5 * width) * double(kMap), high = low + width * double(kMap);
+    struct Receiver {
+        dvec2 uv;
+        double depth;
+        dvec2 slope;  // of its plane: depth per uv
+    };
+
+    // README §6, in float64. No answer where a float32 may round an edge of the window to another
+    // texel than this does, or a share to the other side of the guard of README §5.
+    std::optional<Blockers> inWindow(const Receiver& receiver, dvec2 width) const {
+        const dvec2 low = (receiver.uv - 0.5 * width) * double(kMap),
+                    high = low + width * double(kMap);
         const dvec2 cells = (high - glm::floor(low)) / double(cells_);
         const dvec2 nearest = glm::min(glm::abs(low - glm::round(low)),
                                        glm::abs(cells - glm::round(cells)) * double(cells_));
@@ -64,10 +74,15 @@ private:
             for (int i = 0; i < cells_; ++i) {
                 dvec2 box = boxes_.meanVariance(corner + (dvec2(i, j) + 0.5) * cell, cell);
                 box.y = std::max(box.y, kMinVariance);
-                const double lit = upperBound(receiver, box);
-                if (lit > 0.999) continue;
-                found.share += 1 - lit;
-                found.depth += std::clamp(box.x - lit * receiver, 0.0, (1 - lit) * receiver);
+                const dvec2 offset = ((dvec2(i, j) + 0.5) / double(cells_) - 0.5) * width;
+                const double depth =
+                    receiver.depth + std::min(glm::dot(receiver.slope, offset), 0.0);
+                const double lit = upperBound(depth, box), blocked = 1 - lit;
+                if (std::abs(blocked - 0.001) < kRoundingShare) return {};
+                found.share += blocked;
+                found.depth += blocked < 0.001
+                                   ? blocked * depth
+                                   : std::clamp(box.x - lit * depth, 0.0, blocked * depth);
             }
         if (found.share > 0) found.depth /= found.share;
         found.share /= cells_ * cells_;
@@ -75,13 +90,13 @@ private:
     }
 
     // A twin where every window holds enough blockers that its float32 table tells their depth.
-    std::optional<Blockers> search(dvec2 uv, double receiver) const {
-        dvec2 window = receiver * scaleUv_;
+    std::optional<Blockers> search(const Receiver& receiver) const {
+        dvec2 window = receiver.depth * scaleUv_;
         std::optional<Blockers> found;
         for (int query = 0; query < queries_; ++query) {
-            found = inWindow(uv, receiver, glm::max(window, kLeastWidth));
+            found = inWindow(receiver, glm::max(window, kLeastWidth));
             if (!found || found->share < 0.02) return {};
-            window = glm::min(window, 1.5 * (receiver - found->depth) * scaleUv_);
+            window = glm::min(window, 1.5 * (receiver.depth - found->depth) * scaleUv_);
         }
         return found;
     }
@@ -93,18 +108,20 @@ private:
 };
 
 void PlatesSearch::expectTwin() const {
-    const Image& receivers = frame_.at("receiver");
+    const Image &receivers = frame_.at("receiver"), &heights = frame_.at("light_height");
     Image depth(kFrame.x, kFrame.y, 1), width = depth, mask = depth;
     double compared = 0;
     for (int y = 0; y < kFrame.y; ++y)
         for (int x = 0; x < kFrame.x; ++x) {
             if (receivers.at(x, y, 3) <= 0) continue;
-            const double receiver = receivers.at(x, y, 2);
-            const auto found =
-                search(dvec2(receivers.at(x, y, 0), receivers.at(x, y, 1)), receiver);
+            const dvec2 rise(heights.at(x, y, 1), heights.at(x, y, 2));
+            const Receiver receiver{.uv = {receivers.at(x, y, 0), receivers.at(x, y, 1)},
+                                    .depth = receivers.at(x, y, 2),
+                                    .slope = rise / (scaleUv_ * double(heights.at(x, y, 0)))};
+            const auto found = search(receiver);
             if (!found) continue;
             depth.at(x, y) = float(found->depth);
-            width.at(x, y) = float(receiver - found->depth);
+            width.at(x, y) = float(receiver.depth - found->depth);
             mask.at(x, y) = 1, ++compared;
         }
     EXPECT_VALUE(compared, Greater, 1000, "receivers of this scene that have blockers");
@@ -118,6 +135,10 @@ void PlatesSearch::expectTwin() const {
 TEST(Task6SoftShadows, TheFirstWindowHoldsAllThatCanBlock) { PlatesSearch(1, 1).expectTwin(); }
 
 TEST(Task6SoftShadows, CellsCountByTheirShareOfBlockers) { PlatesSearch(1, 3).expectTwin(); }
+
+TEST(Task6SoftShadows, EachCellIsComparedOnTheReceiversPlane) {
+    PlatesSearch(1, 3, -0.5f).expectTwin();
+}
 
 TEST(Task6SoftShadows, TheNextWindowIsAsWideAsWhatWasFound) { PlatesSearch(2, 1).expectTwin(); }
 

@@ -36,18 +36,19 @@ dvec2 DepthBoxes::meanVariance(dvec2 centerUv, dvec2 widthUv) const {
 
 namespace {
 
-Mesh plate(vec2 low, vec2 high, float height) {
-    return quad({low.x, height, low.y}, {low.x, height, high.y}, {high.x, height, high.y},
-                {high.x, height, low.y}, 0);
+Mesh plate(vec2 low, vec2 high, float height, float slope = 0.0f) {
+    const float left = height + slope * low.x, right = height + slope * high.x;
+    return quad({low.x, left, low.y}, {low.x, left, high.y}, {high.x, right, high.y},
+                {high.x, right, low.y}, 0);
 }
 
 }  // namespace
 
-Scene platesScene() {
+Scene platesScene(float groundSlope) {
     Scene scene;
     scene.name = "plates";
     scene.materials = {{.name = "grey"}};
-    scene.meshes = {ground(12.0f, 1, 0), plate({-12, -12}, {0, 12}, 4.0f),
+    scene.meshes = {plate({-6, -6}, {6, 6}, 0.0f, groundSlope), plate({-12, -12}, {0, 12}, 4.0f),
                     plate({0.2f, -12}, {2, 0}, 2.0f)};
     Light light;
     light.center = {0.0f, 8.0f, 0.0f};

@@ -82,8 +82,8 @@ inline double upperBound(double depth, dvec2 meanVariance) {
 //   H = 8   ----====----     light, 1.5 wide
 //   h = 4   ____|            x < 0, all z
 //   h = 2         ____       z < 0, x between 0.2 and 2
-//   0       ------------     ground
-Scene platesScene();
+//   0       ------------     ground, through the origin; it rises by `groundSlope` along x
+Scene platesScene(float groundSlope = 0.0f);
 
 // What the light's matrix says of its map: S, in float64.
 dvec2 widthScaleUv(const Image& lightClipFromWorld, const Light& light);

@@ -37,6 +37,37 @@ TEST(Task3Hamburger, SharesAndDepthsOfThreePointsAreExact) {
     EXPECT_ROWS_NEAR(rows.blockers("hamburger"), truth, kThreePoints);
 }
 
+// Where t is one of the two points that a distribution of two would have, the third is infinitely
+// far away, and its weight 0: what is left of the shares must not suffer.
+TEST(Task3Hamburger, ANearPointIsRightThoughTheOtherIsFarAway) {
+    Dice dice{std::mt19937(36)};
+    SolverRows rows;
+    std::vector<double> near;
+    std::vector<Below> truth;
+    for (int i = 0; i < kRows; ++i) {
+        const dvec4 b = spread(dice, 3, 0.25).moments();
+        // Roots of q2 of README §1.
+        const double slope = (b.z - b.x * b.y) / (b.y - b.x * b.x);
+        const double root = std::sqrt(slope * slope / 4 - slope * b.x + b.y);
+        rows.add(b, slope / 2 + (i % 2 ? root : -root));
+        const ThreePoints points = threePoints(rows.moments(i), rows.t(i));
+        near.push_back(std::abs(points.others.x) < std::abs(points.others.y) ? points.others.x
+                                                                             : points.others.y);
+        truth.push_back(points.below);
+    }
+    const Rows others = rows.evaluate("hamburger.glsl", "vec4(otherDepths(a, b.x), 0.0, 0.0)");
+    const Rows blockers = rows.blockers("hamburger");
+    double point = 0, share = 0;
+    for (std::size_t i = 0; i < others.size(); ++i) {
+        const double mine =
+            std::abs(others[i].x) < std::abs(others[i].y) ? others[i].x : others[i].y;
+        point = std::max(point, std::abs(mine - near[i]));
+        share = std::max(share, std::abs(blockers[i].x - truth[i].share));
+    }
+    EXPECT_VALUE(point, LessOrEqual, kThreePoints.absolute, kThreePoints.cause);
+    EXPECT_VALUE(share, LessOrEqual, kThreePoints.absolute, kThreePoints.cause);
+}
+
 // One or two depths and nothing else: what the bias is for. t lies where a receiver's does, on the
 // farther depth or a bias before it, and anywhere.
 TEST(Task3Hamburger, OneDepthOrTwoLoseOnlyTheBias) {

@@ -22,14 +22,8 @@ TEST(Task4SoftShadow, ComparesBelowTheReceiversPlane) {
         const double bias = dice(0, 0.02);
         const dvec3 height(dice(-0.2, 2), dice(-1, 1), dice(-1, 1));
         const dvec4 light(dice(-0.5, 0), dice(-0.5, 0), dice(0, 0.5), dice(0, 0.5));
-        // On the way from the receiver to the blocker's depth, over the light's point (s, t), the
-        // plane's depth falls by -(height.y s + height.z t) / height.x of that.
-        double fall = 0;
-        for (const double s : {light.x, light.z})
-            for (const double t : {light.y, light.w})
-                fall = std::max(fall, -(height.y * s + height.z * t));
-        if (std::abs(height.x) < 1e-3 || fall < 1e-3) continue;
-        fall = height.x > 0 ? std::min(fall / height.x, 1.0) : 1;
+        const double fall = planeFall(height, {light.x, light.y}, {light.z, light.w});
+        if (std::abs(height.x) < 1e-3) continue;  // its sign decides
         depths.emplace_back(dvec4(receiver, blocker, bias, 0));
         heights.emplace_back(dvec4(height, 0));
         lights.emplace_back(light);
@@ -105,6 +99,18 @@ TEST(Task4SoftShadow, TheFilterIsAsWideAsThePenumbra) {
             return Maybe(found ? map.filteredVisibility(p, depth, cells) : 1);
         });
     }
+}
+
+TEST(Task4SoftShadow, EachCellIsComparedBelowItsPartOfThePlane) {
+    const Rendered frame = searchFrame(0, 2, true);
+    const MapTwin map(frame);
+    const Image& heights = frame.at("light_height");
+    compareWithTwin(frame.at("visibility"), frame, [&](int x, int y, dvec3 p) {
+        const float depth = frame.at("blocker_depth").at(x, y);
+        const dvec3 height(heights.at(x, y, 0), heights.at(x, y, 1), heights.at(x, y, 2));
+        const bool found = frame.at("blocker_share").at(x, y) > 0;
+        return Maybe(found ? map.filteredVisibility(p, depth, 2, height) : 1);
+    });
 }
 
 TEST(Task4SoftShadow, AHalfPlanesPenumbraIsALinearRamp) {

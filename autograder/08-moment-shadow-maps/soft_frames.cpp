@@ -18,20 +18,30 @@ dvec4 momentsOf(double depth) {
 
 }  // namespace
 
-Rendered searchFrame(int refinements, int cells) {
+Rendered searchFrame(int refinements, int cells, bool receiverPlane) {
     return render({.scene = kScene,
                    .size = {128, 128},
-                   .settings = {"receiver_plane=off", "horizon=off", "moment_bias=1e-2",
-                                "constant_bias=1", "refinements=" + std::to_string(refinements),
+                   .settings = {receiverPlane ? "receiver_plane=on" : "receiver_plane=off",
+                                "horizon=off", "moment_bias=1e-2", "constant_bias=1",
+                                "refinements=" + std::to_string(refinements),
                                 "cells=" + std::to_string(cells)},
                    .images = {"visibility",
                               "receiver",
+                              "light_height",
                               "box_moments",
                               "blocker_depth",
                               "blocker_share",
                               {"shadow_map", glm::ivec2(kMapSize)},
                               {"moments", glm::ivec2(kMapSize)},
                               {"light_clip_from_world", {4, 4}}}});
+}
+
+double planeFall(const dvec3& height, dvec2 low, dvec2 high) {
+    double drop = 0;
+    for (const double s : {low.x, high.x})
+        for (const double t : {low.y, high.y})
+            drop = std::max(drop, -(height.y * s + height.z * t));
+    return drop <= 0 ? 0 : height.x > 0 ? std::min(drop / height.x, 1.0) : 1;
 }
 
 MapTwin::MapTwin(const Rendered& frame)
@@ -85,28 +95,35 @@ dvec4 MapTwin::mean(const Box& box, bool wholeTexels) const {
     return glm::mix(dvec4(1), sum / area(inside), share);
 }
 
-Below MapTwin::blockers(double depth, const dvec4& moments) const {
-    // The constant bias is a texel's width, in depth.
+double MapTwin::bias(double depth) const {
     const double inverse = 1 / nearPlane_ + depth * (1 / farPlane_ - 1 / nearPlane_);
-    const double bias =
-        std::max(tangents_.x, tangents_.y) / kMapSize * inverse / (1 / nearPlane_ - 1 / farPlane_);
-    const double t = 2 * (depth - bias) - 1;
+    return std::max(tangents_.x, tangents_.y) / kMapSize * inverse /
+           (1 / nearPlane_ - 1 / farPlane_);
+}
+
+Below MapTwin::blockers(double compared, const dvec4& moments) const {
+    const double t = 2 * compared - 1;
     Below below = threePoints(biased(moments, kTwinBias), t).below;
     below.sum = below.share * (0.5 * std::clamp(below.depth(), -1.0, t) + 0.5);
     return below;
 }
 
 Below MapTwin::search(const dvec3& uvDepth, double blockerDepth) const {
-    return blockers(uvDepth.z, mean(window(uvDepth, blockerDepth, dvec2(-0.5), dvec2(0.5)), true));
+    return blockers(uvDepth.z - bias(uvDepth.z),
+                    mean(window(uvDepth, blockerDepth, dvec2(-0.5), dvec2(0.5)), true));
 }
 
-double MapTwin::filteredVisibility(const dvec3& uvDepth, double blockerDepth, int cells) const {
+double MapTwin::filteredVisibility(const dvec3& uvDepth, double blockerDepth, int cells,
+                                   const dvec3& height) const {
+    const double depth = uvDepth.z - bias(uvDepth.z),
+                 distance = std::max(uvDepth.z - blockerDepth, 0.0);
     double blocked = 0;
     for (int j = 0; j < cells; ++j)
         for (int i = 0; i < cells; ++i) {
-            const dvec2 low = dvec2(i, j) / double(cells) - 0.5;
-            const Box box = window(uvDepth, blockerDepth, low, low + 1.0 / cells);
-            blocked += blockers(uvDepth.z, mean(box, false)).share;
+            const dvec2 low = dvec2(i, j) / double(cells) - 0.5, high = low + 1.0 / cells;
+            const Box box = window(uvDepth, blockerDepth, low, high);
+            const double compared = depth - 0.75 * planeFall(height, low, high) * distance;
+            blocked += blockers(compared, mean(box, false)).share;
         }
     return 1 - blocked / (cells * cells);
 }

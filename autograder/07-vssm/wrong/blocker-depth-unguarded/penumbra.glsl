@@ -1,4 +1,4 @@
-// Fails: Task5Blockers.TheBlockersDepthLiesBetweenLightAndReceiver, Task6SoftShadows.CellsCountByTheirShareOfBlockers, Task6SoftShadows.TheFirstWindowHoldsAllThatCanBlock, Task6SoftShadows.TheNextWindowIsAsWideAsWhatWasFound · the blocker's depth is neither guarded nor clamped
+// Fails: Task5Blockers.TheBlockersDepthLiesBetweenLightAndReceiver, Task6SoftShadows.CellsCountByTheirShareOfBlockers, Task6SoftShadows.EachCellIsComparedOnTheReceiversPlane, Task6SoftShadows.TheFirstWindowHoldsAllThatCanBlock, Task6SoftShadows.TheNextWindowIsAsWideAsWhatWasFound · the blocker's depth is neither guarded nor clamped
 vec2 penumbraWidthUv(vec2 widthScaleUv, float receiverDepth, float blockerDepth) {
     return widthScaleUv * max(receiverDepth - blockerDepth, 0.0);
 }

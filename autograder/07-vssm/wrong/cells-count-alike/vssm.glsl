@@ -1,4 +1,4 @@
-// Fails: Task6SoftShadows.CellsCountByTheirShareOfBlockers · a cell with few blockers counts as much as one full of them
+// Fails: Task6SoftShadows.CellsCountByTheirShareOfBlockers, Task6SoftShadows.EachCellIsComparedOnTheReceiversPlane · a cell with few blockers counts as much as one full of them
 #include "windows.glsl"
 #include "filter.glsl"
 #include "chebyshev.glsl"

@@ -1,4 +1,4 @@
-// Fails: Task6SoftShadows.CellsCountByTheirShareOfBlockers, Task6SoftShadows.TheFirstWindowHoldsAllThatCanBlock, Task6SoftShadows.TheNextWindowIsAsWideAsWhatWasFound · the search takes windowAround(), not wholeTexelsAround()
+// Fails: Task6SoftShadows.CellsCountByTheirShareOfBlockers, Task6SoftShadows.EachCellIsComparedOnTheReceiversPlane, Task6SoftShadows.TheFirstWindowHoldsAllThatCanBlock, Task6SoftShadows.TheNextWindowIsAsWideAsWhatWasFound · the search takes windowAround(), not wholeTexelsAround()
 #include "windows.glsl"
 #include "filter.glsl"
 #include "chebyshev.glsl"

@@ -1,4 +1,4 @@
-// Fails: Task6SoftShadows.CellsCountByTheirShareOfBlockers, Task6SoftShadows.TheFirstWindowHoldsAllThatCanBlock, Task6SoftShadows.TheNextWindowIsAsWideAsWhatWasFound · what lessBleeding() cuts off counts as blocked in the search
+// Fails: Task6SoftShadows.CellsCountByTheirShareOfBlockers, Task6SoftShadows.EachCellIsComparedOnTheReceiversPlane, Task6SoftShadows.TheFirstWindowHoldsAllThatCanBlock, Task6SoftShadows.TheNextWindowIsAsWideAsWhatWasFound · what lessBleeding() cuts off counts as blocked in the search
 #include "windows.glsl"
 #include "filter.glsl"
 #include "chebyshev.glsl"

@@ -1,4 +1,4 @@
-// Fails: Task4Bound.WhatIsNotFartherThanTheMeanIsLit, Task6SoftShadows.AHalfPlanesPenumbraIsALinearRamp, Task6SoftShadows.ATinyLightCastsAHardShadowAndAHugeOneStaysFinite, Task6SoftShadows.CellsCountByTheirShareOfBlockers, Task6SoftShadows.WhereNothingBlocksTheHorizonAloneCounts, Task7Exponential.TheLesserOfTwoBounds, Task8WholeShadow.BoxesAgreeWithRays, Task8WholeShadow.FenceAgreesWithRays, Task8WholeShadow.FoliageAgreesWithRays, Task8WholeShadow.StairsAgreeWithRays · Chebyshev's bound on both sides of the mean
+// Fails: Task4Bound.WhatIsNotFartherThanTheMeanIsLit, Task6SoftShadows.AHalfPlanesPenumbraIsALinearRamp, Task6SoftShadows.ATinyLightCastsAHardShadowAndAHugeOneStaysFinite, Task6SoftShadows.CellsCountByTheirShareOfBlockers, Task6SoftShadows.EachCellIsComparedOnTheReceiversPlane, Task6SoftShadows.WhereNothingBlocksTheHorizonAloneCounts, Task7Exponential.TheLesserOfTwoBounds, Task8WholeShadow.BoxesAgreeWithRays, Task8WholeShadow.FenceAgreesWithRays, Task8WholeShadow.FoliageAgreesWithRays, Task8WholeShadow.StairsAgreeWithRays · Chebyshev's bound on both sides of the mean
 #include "error_function.glsl"
 
 float chebyshev(float depth, vec2 meanVariance) {

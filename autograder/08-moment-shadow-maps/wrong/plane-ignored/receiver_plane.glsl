@@ -1,4 +1,4 @@
-// Fails: Task4SoftShadow.ComparesBelowTheReceiversPlane, Task4SoftShadow.WithoutABlockerOnlyTheHorizonCutsTheLight, Task6WholeShadow.BoxesAgreeWithRays, Task6WholeShadow.SixteenBitsAreEnough · the receiver's plane is not asked
+// Fails: Task4SoftShadow.ComparesBelowTheReceiversPlane, Task4SoftShadow.EachCellIsComparedBelowItsPartOfThePlane, Task4SoftShadow.WithoutABlockerOnlyTheHorizonCutsTheLight, Task6WholeShadow.BoxesAgreeWithRays, Task6WholeShadow.SixteenBitsAreEnough · the receiver's plane is not asked
 #include "moment_shadow.glsl"
 
 float comparedDepth(Receiver receiver, float blockerDepth) {

@@ -1,4 +1,4 @@
-// Fails: Task4SoftShadow.AHalfPlanesPenumbraIsALinearRamp, Task4SoftShadow.TheFilterIsAsWideAsThePenumbra, Task4SoftShadow.WithoutABlockerOnlyTheHorizonCutsTheLight, Task6WholeShadow.BoxesAgreeWithRays, Task6WholeShadow.FenceAgreesWithRays, Task6WholeShadow.FoliageAgreesWithRays, Task6WholeShadow.HausdorffIsCloserToRays, Task6WholeShadow.SixteenBitsAreEnough, Task6WholeShadow.StairsAgreeWithRays · the penumbra's width is taken for its radius
+// Fails: Task4SoftShadow.AHalfPlanesPenumbraIsALinearRamp, Task4SoftShadow.EachCellIsComparedBelowItsPartOfThePlane, Task4SoftShadow.TheFilterIsAsWideAsThePenumbra, Task4SoftShadow.WithoutABlockerOnlyTheHorizonCutsTheLight, Task6WholeShadow.BoxesAgreeWithRays, Task6WholeShadow.FenceAgreesWithRays, Task6WholeShadow.FoliageAgreesWithRays, Task6WholeShadow.HausdorffIsCloserToRays, Task6WholeShadow.SixteenBitsAreEnough, Task6WholeShadow.StairsAgreeWithRays · the penumbra's width is taken for its radius
 #include "moment_shadow.glsl"
 #include "window.glsl"
 #include "quantize.glsl"
