@@ -51,7 +51,7 @@ void Session::arrange() {
 
 View Session::view(glm::ivec2 size) const {
     EXPECTS(gpuScene_);
-    return {scene_, *gpuScene_, camera, light, size, settings_, shaders_, revision_};
+    return {scene_, *gpuScene_, camera, light, size, settings_, shaders_, revision_, interactive};
 }
 
 Frame Session::render(glm::ivec2 size, std::optional<std::set<std::string>> wanted) {

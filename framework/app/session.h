@@ -37,6 +37,7 @@ public:
 
     Camera camera;
     Light light;
+    bool interactive = false;  // View::interactive
 
 private:
     void arrange();

@@ -59,6 +59,7 @@ private:
     Key pictureKey() const;
     void redrawIfChanged();
     void redraw();
+    void learnUnfinished(const Frame& frame);
     void learnNames(const Frame& frame);
     void drawWindow();
     void takeScreenshot();
@@ -88,6 +89,7 @@ Viewer::Viewer(Session& session, Context& context)
       pictures_(session.shaders().layers()),
       area_(window_) {
     state_.renderer = context.renderer();
+    session_.interactive = true;
     // One core stays with the interface.
     setThreadCount(std::max(1, int(std::thread::hardware_concurrency()) - 1));
     glfwSwapInterval(1);
@@ -196,12 +198,14 @@ Key Viewer::pictureKey() const {
 void Viewer::redrawIfChanged() {
     keepInRange(session_.camera, state_.box, state_.cameraFar);
     Key key = pictureKey();
-    if (key == drawn_ && !state_.learnNames) return;
+    const bool nowFinished = state_.unfinished && state_.unfinished->fraction() >= 1;
+    if (key == drawn_ && !state_.learnNames && !nowFinished) return;
     try {
         redraw();
         renderError_.clear();
     } catch (const std::exception& e) {
         renderError_ = e.what();
+        state_.unfinished = nullptr;
     }
     drawn_ = std::move(key);
     lively_ = kSettlingFrames;
@@ -228,6 +232,7 @@ void Viewer::redraw() {
     state_.redrawMilliseconds = elapsed.count();
     state_.passes.assign(frame.milliseconds().begin(), frame.milliseconds().end());
     state_.notes = frame.notes();
+    learnUnfinished(frame);
     comparison_.mineChanged();
     ++frames_;
     if (!log_.on()) return;
@@ -235,6 +240,12 @@ void Viewer::redraw() {
     double sum = 0;
     for (const float v : visibility.pixels) sum += v;
     log_.line(fmt::format("frame {} {:.9f}", frames_, sum / double(visibility.pixels.size())));
+}
+
+void Viewer::learnUnfinished(const Frame& frame) {
+    if (bool(state_.unfinished) != bool(frame.unfinished()))
+        log_.line(frame.unfinished() ? "unfinished " + frame.unfinished()->label() : "finished");
+    state_.unfinished = frame.unfinished();
 }
 
 void Viewer::learnNames(const Frame& frame) {

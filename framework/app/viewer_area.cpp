@@ -76,6 +76,14 @@ void drawDivider(ImDrawList* list, ViewerState& state, const Rect& area) {
     state.log.item("divider", x - kDividerReach, area.lower.y, x + kDividerReach, area.upper.y);
 }
 
+// At the top, in the middle; a line below the divider's labels.
+void drawUnfinished(ImDrawList* list, const Progress& work, const Rect& area) {
+    const std::string text = fmt::format("{}: {:.0f} %; this picture is without it", work.label(),
+                                         100 * work.fraction());
+    const float middle = 0.5f * (area.lower.x + area.upper.x);
+    label(list, {middle - 0.5f * ImGui::CalcTextSize(text.c_str()).x, area.lower.y + 42}, text);
+}
+
 // An Error's "what: where; what to do": a heading, the log in one-width letters, a hint.
 struct Message {
     std::string what, where, toDo;
@@ -177,6 +185,7 @@ void PictureArea::draw(ViewerState& state, const Ui& ui, const Pictures& picture
         label(list, {area.lower.x + kMargin, area.lower.y + 12},
               "mine minus truth: red too light, blue too dark");
     drawInset(list, state, pictures, area);
+    if (state.unfinished) drawUnfinished(list, *state.unfinished, area);
     if (!state.overlay.empty()) drawOverlay(list, state, ui, area);
     ImGui::End();
     ImGui::PopStyleVar();

@@ -12,7 +12,7 @@ constexpr auto kPause = 200ms;  // between two comparisons while a slider moves
 }  // namespace
 
 bool Comparison::pending(const ViewerState& state) const {
-    return state.truthBusy || (state.traceTruth && traced_.empty()) ||
+    return state.truthBusy || state.unfinished || (state.traceTruth && traced_.empty()) ||
            (due_ && !truth_.visibility.empty());
 }
 
@@ -49,7 +49,10 @@ bool Comparison::update(ViewerState& state, Pictures& pictures, const std::vecto
 }
 
 bool Comparison::compare(ViewerState& state, const Pictures& pictures) {
-    if (!due_ || truth_.visibility.empty() || Clock::now() - comparedAt_ < kPause) return false;
+    if (state.unfinished) state.metrics.reset();
+    if (!due_ || state.unfinished || truth_.visibility.empty() ||
+        Clock::now() - comparedAt_ < kPause)
+        return false;
     due_ = false;
     comparedAt_ = Clock::now();
     state.metrics.reset();

@@ -42,6 +42,7 @@ struct ViewerState {
     double redrawMilliseconds = 0;
     std::vector<std::pair<std::string, double>> passes = {};  // milliseconds
     std::vector<std::string> notes = {};                      // of the frame
+    std::shared_ptr<const Progress> unfinished = nullptr;     // of the frame
     std::optional<Metrics> metrics = {};
     std::string truthNote = {};  // what the truth is, or why there is none
     double truthFraction = 0;

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The window, driven by a mouse and a keyboard on a virtual screen: a slider changes its setting and the
 # picture, a broken shader shows an overlay that goes when it is mended, keys choose views and save the
-# window.
+# window, and what takes long does not keep the window from opening.
 #
 #   viewer_test.sh PROGRAM SHADER …   SHADER: the student's .glsl files; the program uses one at least
 #
@@ -50,9 +50,16 @@ mkdir "$folder/layer"
 cp "$@" "$folder/layer/"
 touch "$log"
 cd "$folder" || exit 1
-PENUMBRA_UI_LOG=$log "$program" open --scene boxes --layer "$folder/layer" > "$folder/stdout" 2>&1 &
+PENUMBRA_CACHE=$folder/cache PENUMBRA_UI_LOG=$log "$program" open --scene boxes --layer "$folder/layer" > "$folder/stdout" 2>&1 &
 window=$!
 waitFor '^item [a-z_]+ .*' && waitFor '^truth done'
+# Nothing is cached, so what takes long is made beside the first picture, which is drawn again with it.
+if grep -q '^unfinished' "$log"; then
+    waitFor '^finished'
+    without=$(grep '^frame ' "$log" | head -n 1) with=$(last '^frame ')
+    [ "${without##* }" != "${with##* }" ] || fail "the picture is still without its $(last '^unfinished')"
+    echo "$(last '^unfinished'), finished: mean visibility ${without##* } -> ${with##* }"
+fi
 
 # Within a tenth of the range: a mouse meets a slider's pixel, and a whole number its neighbour.
 inTheMiddle() {

@@ -22,6 +22,7 @@ public:
 
     void advance(long steps = 1);
     double fraction() const;
+    const std::string& label() const { return label_; }
 
     // The work should stop soon: set by the viewer when the camera moves, read by the worker.
     std::atomic<bool> cancelled = false;

@@ -9,12 +9,14 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "core/image.h"
+#include "core/progress.h"
 #include "core/settings.h"
 #include "gl/program.h"
 #include "gl/texture.h"
@@ -34,6 +36,8 @@ struct View {
     const Settings& settings;
     ShaderLibrary& shaders;  // programs from the variant's folders, reloaded on save
     long revision;           // of the scene: grows when it changes; what was made of it can be kept
+    // A person is waiting: render() should not take seconds, see Frame::unfinished().
+    bool interactive = false;
 };
 
 // Named float images and named times.
@@ -58,7 +62,12 @@ public:
     // cast shadow, too". One line; shown beside the picture and in frame.json.
     void note(std::string line) { notes_.push_back(std::move(line)); }
 
+    // Part of this frame is still being made on another thread: the window shows how far it is, and
+    // asks for the frame again when it is done. Only where view.interactive.
+    void unfinished(std::shared_ptr<const Progress> work) { unfinished_ = std::move(work); }
+
     const std::vector<std::string>& notes() const { return notes_; }
+    const std::shared_ptr<const Progress>& unfinished() const { return unfinished_; }
     const std::map<std::string, const Texture*>& textures() const { return textures_; }
     const std::map<std::string, Image>& images() const { return images_; }
     // Waits for a GPU: after the frame.
@@ -73,6 +82,7 @@ private:
     std::map<std::string, Image> images_;
     Times times_;
     std::vector<std::string> notes_;
+    std::shared_ptr<const Progress> unfinished_;
 };
 
 }  // namespace penumbra

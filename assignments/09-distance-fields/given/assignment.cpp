@@ -175,6 +175,7 @@ void DistanceFields::render(const View& view, Frame& frame) {
     }
     inspect(view, frame, chunks);
     for (const std::string& note : field_.notes()) frame.note(note);
+    if (field_.work()) frame.unfinished(field_.work());
     gl_->deferred.output(frame);
     frame.output("field", fieldImage(field_.grid()));
 }

@@ -1,7 +1,9 @@
 #include "field.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -11,6 +13,8 @@
 #include "truth/distance_cache.h"
 
 namespace penumbra {
+
+using namespace std::chrono_literals;
 
 namespace {
 
@@ -42,67 +46,121 @@ Mesh outline(std::span<const Mesh> meshes) {
     return result;
 }
 
-}  // namespace
-
-void BlockerField::prepare(const View& view, int voxels) {
-    const bool sameScene = revision_ == view.revision && voxels_ == voxels;
-    if (sameScene && light_ == view.light) return;
-    std::vector<Mesh> blockers = possibleBlockers(view.scene, view.light);
-    std::vector<std::string> names;
-    for (const Mesh& mesh : blockers) names.push_back(mesh.name);
-    const bool same = sameScene && names == blockers_;
-    revision_ = view.revision, light_ = view.light, voxels_ = voxels, blockers_ = std::move(names);
-    if (same) return;
-    notes_.clear();
-    skin_ = 0;
-    if (blockers.empty()) return makeEmpty(view.scene);
-    box_ = bounds(blockers);
-    grid_ = DistanceGrid::around(box_, voxels);
-    const auto open = std::stable_partition(
-        blockers.begin(), blockers.end(), [](const Mesh& mesh) { return closed(meshEdges(mesh)); });
-    make({blockers.begin(), open}, {open, blockers.end()});
+// One voxel that is as far from everything as the scene is wide: nothing blocks.
+BlockerField::Field emptyField(const Scene& scene) {
+    const Box box = bounds(scene);
+    const float far = glm::length(box.upper - box.lower);
+    return {.grid = {.lower = box.lower, .cell = far, .size = glm::ivec3(1)},
+            .box = box,
+            .values = {far},
+            .notes = {}};
 }
 
-void BlockerField::make(std::span<const Mesh> closedMeshes, std::span<const Mesh> openMeshes) {
-    const Mesh borders = outline(openMeshes);
-    const std::span<const Mesh> outlines(&borders, borders.triangles.empty() ? 0 : 1);
-    Progress progress(
-        "distance field",
-        long(grid_.size.z) * (!closedMeshes.empty() + !openMeshes.empty() + !outlines.empty()));
+BlockerField::Field fieldOf(std::span<const Mesh> closedMeshes, std::span<const Mesh> openMeshes,
+                            const Mesh& borders, BlockerField::Field result, Progress& progress) {
     const auto field = [&](std::span<const Mesh> meshes) {
-        return meshes.empty() ? std::vector<float>(grid_.count(), kFar)
-                              : cachedDistanceField(cacheFolder(), meshes, grid_, &progress).values;
+        return meshes.empty()
+                   ? std::vector<float>(result.grid.count(), kFar)
+                   : cachedDistanceField(cacheFolder(), meshes, result.grid, &progress).values;
     };
-    std::vector<float> values = field(closedMeshes);
+    result.values = field(closedMeshes);
     if (!openMeshes.empty()) {
-        skin_ = float(kOutlineSkinVoxels) * grid_.cell;
-        const float most = float(kSkinVoxels) * grid_.cell;
-        box_.lower -= most, box_.upper += most;
+        const double cell = double(result.grid.cell);
+        result.skin = float(kOutlineSkinVoxels * cell);
+        const float most = float(kSkinVoxels * cell);
+        result.box.lower -= most, result.box.upper += most;
+        const std::span<const Mesh> outlines(&borders, borders.triangles.empty() ? 0 : 1);
         const std::vector<float> sheets = field(openMeshes), border = field(outlines);
-        const double cell = double(grid_.cell);
+        if (progress.cancelled) return {};
         for (std::size_t i = 0; i < sheets.size(); ++i) {
             const double d = double(sheets[i]), toBorder = double(border[i]);
             const double inwards = std::sqrt(std::max(toBorder * toBorder - d * d, 0.0));
-            values[i] = std::min(values[i], float(d - skinVoxels(inwards / cell) * cell));
+            result.values[i] =
+                std::min(result.values[i], float(d - skinVoxels(inwards / cell) * cell));
         }
     }
-    notes_.push_back(fmt::format("field of {} x {} x {} voxels, {:.2g} wide", grid_.size.x,
-                                 grid_.size.y, grid_.size.z, grid_.cell));
+    const glm::ivec3 size = result.grid.size;
+    result.notes.push_back(fmt::format("field of {} x {} x {} voxels, {:.2g} wide", size.x, size.y,
+                                       size.z, result.grid.cell));
     for (const Mesh& mesh : openMeshes)
-        notes_.push_back(fmt::format(
+        result.notes.push_back(fmt::format(
             "mesh {} is open: it has no inside, and blocks as a sheet, up to {:.2g} thick",
-            mesh.name, 2.0 * kSkinVoxels * double(grid_.cell)));
-    texture_ = VolumeTexture({.size = grid_.size, .format = GL_R32F, .label = "distance field"});
-    texture_.upload(values);
+            mesh.name, 2.0 * kSkinVoxels * double(result.grid.cell)));
+    return result;
 }
 
-// One voxel that is as far from everything as the scene is wide: nothing blocks.
-void BlockerField::makeEmpty(const Scene& scene) {
-    box_ = bounds(scene);
-    grid_ = {
-        .lower = box_.lower, .cell = glm::length(box_.upper - box_.lower), .size = glm::ivec3(1)};
-    texture_ = VolumeTexture({.size = grid_.size, .format = GL_R32F, .label = "distance field"});
-    texture_.upload(std::vector<float>{grid_.cell});
+}  // namespace
+
+BlockerField::~BlockerField() { cancel(); }
+
+void BlockerField::cancel() {
+    if (!work_) return;
+    work_->cancelled = true;
+    made_.wait();
+    work_.reset();
+}
+
+void BlockerField::prepare(const View& view, int voxels) {
+    const bool sameScene = revision_ == view.revision && voxels_ == voxels;
+    auto patience = 0ms;
+    if (!sameScene || light_ != view.light) {
+        std::vector<Mesh> blockers = possibleBlockers(view.scene, view.light);
+        std::vector<std::string> names;
+        for (const Mesh& mesh : blockers) names.push_back(mesh.name);
+        const bool same = sameScene && names == blockers_;
+        if (!same) {
+            revision_ = -1;  // if something throws, the next frame tries again
+            cancel();
+            blockers_ = std::move(names), voxels_ = voxels;
+            take(emptyField(view.scene));
+            if (!blockers.empty()) start(std::move(blockers), view.interactive);
+            patience = 100ms;  // most fields come from the cache: no picture without shadow first
+        }
+        revision_ = view.revision, light_ = view.light;
+    }
+    if (!work_) return;
+    if (view.interactive && made_.wait_for(patience) != std::future_status::ready) return;
+    work_.reset();
+    try {
+        take(made_.get());
+    } catch (...) {
+        revision_ = -1;
+        throw;
+    }
+}
+
+void BlockerField::start(std::vector<Mesh> blockers, bool interactive) {
+    Field field;
+    field.box = bounds(blockers);
+    field.grid = DistanceGrid::around(field.box, voxels_);
+    const auto open = std::stable_partition(
+        blockers.begin(), blockers.end(), [](const Mesh& mesh) { return closed(meshEdges(mesh)); });
+    std::vector<Mesh> openMeshes(std::make_move_iterator(open),
+                                 std::make_move_iterator(blockers.end()));
+    blockers.erase(open, blockers.end());
+    Mesh borders = outline(openMeshes);
+    const int fields = !blockers.empty() + !openMeshes.empty() + !borders.triangles.empty();
+    const long steps = long(field.grid.size.z) * fields;
+    work_ = std::make_shared<Progress>("distance field", steps, interactive);
+    made_ =
+        std::async(std::launch::async,
+                   [closedMeshes = std::move(blockers), openMeshes = std::move(openMeshes),
+                    borders = std::move(borders), field = std::move(field), steps, work = work_] {
+                       try {
+                           return fieldOf(closedMeshes, openMeshes, borders, field, *work);
+                       } catch (...) {
+                           work->advance(steps);  // the window asks for the frame, and hears of it
+                           throw;
+                       }
+                   });
+}
+
+void BlockerField::take(Field field) {
+    texture_ =
+        VolumeTexture({.size = field.grid.size, .format = GL_R32F, .label = "distance field"});
+    texture_.upload(field.values);
+    field.values = {};
+    field_ = std::move(field);
 }
 
 FieldBlock fieldBlock(const Settings& s, const BlockerField& field) {
