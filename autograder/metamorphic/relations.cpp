@@ -14,20 +14,6 @@ namespace penumbra {
 
 namespace {
 
-void count(Difference& d, float off, int x, int y) {
-    d.any += off > 0;
-    if (off > kVisible) ++d.visible, d.sum += off;
-    if (off > d.most) d.most = off, d.where = {x, y};
-}
-
-Difference difference(const Image& a, const Image& b) {
-    EXPECTS(a.sameShape(b));
-    Difference result;
-    for (int y = 0; y < a.height; ++y)
-        for (int x = 0; x < a.width; ++x) count(result, std::abs(a.at(x, y) - b.at(x, y)), x, y);
-    return result;
-}
-
 std::vector<std::string> joined(std::vector<std::string> a, const std::vector<std::string>& b) {
     a.insert(a.end(), b.begin(), b.end());
     return a;
@@ -73,41 +59,6 @@ private:
     glm::ivec2 size_;
     std::vector<std::string> settings_;
 };
-
-// Pixels at (x, y) of one picture against (x - by, y - by) of the other, where both are.
-Difference shifted(const Image& a, const Image& b, int by) {
-    const int width = a.width - by, height = a.height - by;
-    Image from(width, height, 1), to(width, height, 1);
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
-            from.at(x, y) = a.at(x + by, y + by);
-            to.at(x, y) = b.at(x, y);
-        }
-    return difference(from, to);
-}
-
-// Whether the rays' picture changes within two pixels, or the surface within one.
-bool nearAnEdge(const Image& truth, const Receivers& receivers, int x, int y) {
-    const auto facet = [&](int u, int v) {
-        return receivers.facetNormals[std::size_t(v) * std::size_t(truth.width) + std::size_t(u)];
-    };
-    for (int j = -2; j <= 2; ++j)
-        for (int i = -2; i <= 2; ++i) {
-            const int u = std::clamp(x + i, 0, truth.width - 1);
-            const int v = std::clamp(y + j, 0, truth.height - 1);
-            if (truth.at(u, v) != truth.at(x, y)) return true;
-            if (std::max(std::abs(i), std::abs(j)) == 1 &&
-                glm::dot(facet(u, v), facet(x, y)) < 0.999f)
-                return true;
-        }
-    return false;
-}
-
-double meanDifference(const Image& a, const Image& b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.pixels.size(); ++i) sum += std::abs(a.pixels[i] - b.pixels[i]);
-    return sum / double(a.pixels.size());
-}
 
 struct Measured {
     Difference difference;
@@ -163,7 +114,7 @@ Measured limit(const Studio& studio, const Scene& scene,
         for (int y = 0; y < rays.height; ++y)
             for (int x = 0; x < rays.width; ++x)
                 if (!nearAnEdge(rays, traced.receivers(), x, y))
-                    count(result.difference, std::abs(image.at(x, y) - rays.at(x, y)), x, y);
+                    result.difference.count(std::abs(image.at(x, y) - rays.at(x, y)), x, y);
     }
     return result;
 }
@@ -177,7 +128,7 @@ Difference brightened(const Studio& studio, const Scene& scene, const Box& slab)
     for (int y = 0; y < with.height; ++y)
         for (int x = 0; x < with.width; ++x)
             if (before->images.at("depth").at(x, y) == after->images.at("depth").at(x, y))
-                count(result, std::max(with.at(x, y) - without.at(x, y), 0.0f), x, y);
+                result.count(std::max(with.at(x, y) - without.at(x, y), 0.0f), x, y);
     return result;
 }
 

@@ -40,23 +40,12 @@
 #include <vector>
 
 #include "core/grading_session.h"
-#include "core/image.h"
+#include "metamorphic/difference.h"
 #include "metamorphic/plan.h"
 
 namespace penumbra {
 
 const std::vector<std::string>& relationNames();
-
-// Rounding's part: a difference that no picture of 8 bits shows.
-inline constexpr float kVisible = 1.0f / 256.0f;
-
-struct Difference {
-    int any = 0;      // pixels that differ at all
-    int visible = 0;  // by more than kVisible
-    double sum = 0;   // of what these differ by
-    float most = 0;
-    glm::ivec2 where{0, 0};  // the pixel of the most
-};
 
 struct Outcome {
     std::string relation, method, scene;
