@@ -43,7 +43,7 @@ std::string legend(const std::vector<CurveStyle>& styles, double& height) {
 constexpr const char* kSheet =
     "svg { --paper: #fff; --ink: #1d1c1a; --soft: #77746d; --grid: #eeece6; --line: #cfcbc1 }"
     "@media (prefers-color-scheme: dark) { svg { --paper: #1b1c20; --ink: #eceae5; --soft: #9a978f;"
-    " --grid: #292b30; --line: #45474f } }"
+    " --grid: #34363c; --line: #45474f } }"
     ".paper { fill: var(--paper) } text { fill: var(--soft) } .title { fill: var(--ink); "
     "font-size: 14px; font-weight: 600 } .name { fill: var(--ink); font-weight: 600 } .label { "
     "fill: currentColor; font-size: 10.5px; font-weight: 600; stroke: var(--paper); "
@@ -94,8 +94,7 @@ std::string studySvg(const StudyResults& results) {
     std::string svg = legend(styles, top);
     svg += fmt::format(
         "<path class=\"front\" d=\"M178 {0}h24\"/><text x=\"208\" y=\"{1}\">under the points that "
-        "no "
-        "other of the scene beats in cost and error</text>\n",
+        "no other of the scene beats in cost and error</text>\n",
         top + 14, top + 18);
     top += 36;
     for (const Cell& c : cells) {
