@@ -74,6 +74,25 @@ struct MapView {
     }
 };
 
+// The program's own map, read as its shaders read it.
+struct Map {
+    const Image& depth;
+    // OpenGL's rows run upwards.
+    float operator()(vec2 uv) const {
+        const int x = int(std::floor(uv.x * float(depth.width)));
+        const int y = int(std::floor(uv.y * float(depth.height)));
+        if (x < 0 || y < 0 || x >= depth.width || y >= depth.height) return 1.0f;
+        return depth.at(x, depth.height - 1 - y);
+    }
+};
+
+// n x n places around uv, in rows and columns.
+template <typename Visit>
+void visitGrid(vec2 uv, vec2 width, int n, Visit&& visit) {
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i) visit(uv + ((vec2(i, j) + 0.5f) / float(n) - 0.5f) * width);
+}
+
 // A plane that nothing blocks: what it sees of the light is what is above its horizon.
 void expectHorizonOnly(const Scene& scene, const std::vector<std::string>& settings);
 

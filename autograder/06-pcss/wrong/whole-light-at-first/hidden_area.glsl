@@ -15,7 +15,7 @@ float backprojectedVisibility(Receiver receiver) {
             vec2 scale = 1.0 / (map.widthScaleUv * (receiver.uvDepth.z - depth));
             vec2 center = (uv - receiver.uvDepth.xy) * scale, halfSize = 0.5 * cell * scale;
             vec2 low = clamp(center - halfSize, -0.5, 0.5), high = clamp(center + halfSize, -0.5, 0.5);
-            lit -= aboveHorizon(receiver, 0.5 * (low + high)) ? (high.x - low.x) * (high.y - low.y) : 0.0;
+            lit -= (high.x - low.x) * (high.y - low.y);
         }
-    return clamp(lit, 0.0, 1.0);
+    return max(lit, 0.0);
 }
