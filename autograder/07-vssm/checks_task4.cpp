@@ -59,7 +59,7 @@ TEST(Task4Bound, WhatIsNotFartherThanTheMeanIsLit) {
         truth.emplace_back(1.0f);
     }
     for (int i = 0; i < 8; ++i) {
-        rows.emplace_back(0.5f + 0.05f * float(i + 1), 0.5f, 0, 0);
+        rows.emplace_back(0.5f + std::exp2(-float(2 * i + 1)), 0.5f, 0, 0);
         truth.emplace_back(0.0f);
     }
     EXPECT_ROWS_NEAR(boundOf(rows), truth,
@@ -88,7 +88,7 @@ TEST(Task4Bound, TheNormalTailIsWhatLiesBeyond) {
     Dice dice{std::mt19937(45)};
     Rows rows, truth;
     for (int i = 0; i < kRows; ++i) {
-        const float mean = float(dice(0.2, 0.8)), variance = float(dice(1e-4, 0.04));
+        const float mean = float(dice(0.2, 0.8)), variance = float(std::pow(10, dice(-8, -1.4)));
         const float depth = i % 8 == 0 ? mean : mean + float(dice(-4, 4) * std::sqrt(variance));
         rows.emplace_back(depth, mean, variance, 0);
         truth.emplace_back(

@@ -147,5 +147,104 @@ TEST(Task7Exponential, EveryTexelIsWarpedFinitely) {
     EXPECT_IMAGE_NEAR(exponents, truth, {.maximum = 1e-5, .cause = kExp + ", as logarithms"});
 }
 
+// --- Whole frames ---
+
+// Means of a warp of the map's depths, as given/mip_levels.glsl takes them, in float64.
+class MipBoxes {
+public:
+    template <typename Warp>
+    MipBoxes(const Image& map, Warp warp) {
+        levels_.emplace_back();
+        for (int y = 0; y < map.height; ++y)
+            for (int x = 0; x < map.width; ++x)
+                levels_[0].push_back(warp(double(map.at(x, map.height - 1 - y))));
+        for (int size = map.width / 2; size > 0; size /= 2) {
+            const std::vector<dvec4> finer = levels_.back();
+            levels_.emplace_back();
+            for (int y = 0; y < size; ++y)
+                for (int x = 0; x < size; ++x) {
+                    const auto at = std::size_t(2 * (2 * y * size + x)),
+                               above = at + std::size_t(2 * size);
+                    levels_.back().push_back(
+                        0.25 * (finer[at] + finer[at + 1] + finer[above] + finer[above + 1]));
+                }
+        }
+    }
+
+    dvec4 mean(dvec2 centerUv, dvec2 widthUv) const {
+        const int last = int(levels_.size()) - 1;
+        const dvec2 texels = widthUv * std::exp2(last);
+        const double level =
+            std::clamp(0.5 * std::log2(std::max(texels.x * texels.y, 1.0)), 0.0, double(last));
+        const int lower = std::min(int(level), last - 1);
+        return glm::mix(filtered(lower, centerUv), filtered(lower + 1, centerUv), level - lower);
+    }
+
+private:
+    dvec4 filtered(int level, dvec2 uv) const {
+        const int size = 1 << (int(levels_.size()) - 1 - level);
+        const dvec2 at = uv * double(size) - 0.5, part = at - glm::floor(at);
+        const auto texel = [&](int x, int y) {
+            const glm::ivec2 p =
+                glm::clamp(glm::ivec2(glm::floor(at)) + glm::ivec2(x, y), 0, size - 1);
+            return levels_[std::size_t(level)][std::size_t(p.y * size + p.x)];
+        };
+        return glm::mix(glm::mix(texel(0, 0), texel(1, 0), part.x),
+                        glm::mix(texel(0, 1), texel(1, 1), part.x), part.y);
+    }
+
+    std::vector<std::vector<dvec4>> levels_;  // from the finest; rows run upwards
+};
+
+// Plates parallel to the light, so that every cell is compared with the receiver's own depth.
+// lit(mean warped moments, receiver's depth)
+template <typename Lit>
+void expectFrame(const std::string& estimate, double exponent, Lit lit) {
+    constexpr int kMap = 256;
+    constexpr double kWidth = 24.0 / kMap;
+    const Rendered frame =
+        render({.scene = sceneFile(platesScene()),
+                .size = {128, 128},
+                .settings = {"estimate=" + estimate, "exponent=100", "width=fixed", "map_size=256",
+                             "filter_width=24", "constant_bias=0", "min_variance=1e-6"},
+                .images = {"visibility", "receiver", {"shadow_map", {kMap, kMap}}}});
+    const MipBoxes boxes(frame.at("shadow_map"), [&](double depth) {
+        const double up = std::exp(exponent * depth);
+        return dvec4(up, up * up, -1 / up, 1 / (up * up));
+    });
+    const Image &receivers = frame.at("receiver"), &visibility = frame.at("visibility");
+    Image truth(visibility.width, visibility.height, 1, 1.0f),
+        mask(visibility.width, visibility.height, 1);
+    double compared = 0;
+    for (int y = 0; y < truth.height; ++y)
+        for (int x = 0; x < truth.width; ++x) {
+            if (receivers.at(x, y, 3) <= 0) continue;
+            const double depth = receivers.at(x, y, 2);
+            const dvec2 uv(receivers.at(x, y, 0), receivers.at(x, y, 1));
+            truth.at(x, y) = float(overCells(uv, dvec2(kWidth), 2, [&](dvec2 center, dvec2 cell) {
+                return lit(boxes.mean(center, cell), depth);
+            }));
+            mask.at(x, y) = 1, compared += truth.at(x, y) > 0.02 && truth.at(x, y) < 0.98;
+        }
+    EXPECT_VALUE(compared, Greater, 500, "receivers of this scene that see a part of the light");
+    EXPECT_IMAGE_NEAR(visibility, truth,
+                      {.maximum = 4e-3,
+                       .cause = estimate + ": the same boxes of the same map in float64; graphics "
+                                           "cards filter with weights of 8 bits, half of which in "
+                                           "two directions is 1/256 of a step"},
+                      mask);
+}
+
+TEST(Task7Exponential, WholeFramesAreFilteredByTheWarps) {
+    expectFrame("esm", 88, [](const dvec4& mean, double depth) {
+        return std::min(mean.x * std::exp(-88 * depth), 1.0);
+    });
+    expectFrame("evsm", 42, [](const dvec4& mean, double depth) {
+        const WarpedBox receiver{.depth = depth, .exponent = 42};
+        return std::min(warpedBound({mean.x, mean.y}, receiver, 1, 1e-6),
+                        warpedBound({mean.z, mean.w}, receiver, -1, 1e-6));
+    });
+}
+
 }  // namespace
 }  // namespace penumbra

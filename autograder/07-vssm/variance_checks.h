@@ -77,6 +77,18 @@ inline double upperBound(double depth, dvec2 meanVariance) {
     return beyond <= 0 ? 1 : meanVariance.y / (meanVariance.y + beyond * beyond);
 }
 
+// The filter of given/filter.glsl over a receiver whose plane is parallel to the light: the mean of
+// what lit(centerUv, widthUv) says of its cells.
+template <typename Lit>
+double overCells(dvec2 uv, dvec2 widthUv, int cells, Lit lit) {
+    double sum = 0;
+    for (int j = 0; j < cells; ++j)
+        for (int i = 0; i < cells; ++i)
+            sum += lit(uv + ((dvec2(i, j) + 0.5) / double(cells) - 0.5) * widthUv,
+                       widthUv / double(cells));
+    return sum / (cells * cells);
+}
+
 // A light that shines straight down on plates parallel to it: every surface has one depth.
 //
 //   H = 8   ----====----     light, 1.5 wide

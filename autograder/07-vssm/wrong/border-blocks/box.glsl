@@ -1,4 +1,4 @@
-// Fails: Task3Boxes.BeyondTheBorderDepthIsOne, Task6SoftShadows.AHalfPlanesPenumbraIsALinearRamp, Task6SoftShadows.CellsCountByTheirShareOfBlockers, Task6SoftShadows.EachCellIsComparedOnTheReceiversPlane, Task6SoftShadows.TheFirstWindowHoldsAllThatCanBlock, Task6SoftShadows.TheNextWindowIsAsWideAsWhatWasFound, Task6SoftShadows.WhereNothingBlocksTheHorizonAloneCounts · what lies beyond the map is a blocker at the light
+// Fails: Task3Boxes.BeyondTheBorderDepthIsOne, Task6SoftShadows.AHalfPlanesPenumbraIsALinearRamp, Task6SoftShadows.CellsCountByTheirShareOfBlockers, Task6SoftShadows.EachCellIsComparedOnTheReceiversPlane, Task6SoftShadows.TheFilterAsksTheChosenEstimate, Task6SoftShadows.TheFirstWindowHoldsAllThatCanBlock, Task6SoftShadows.TheNextWindowIsAsWideAsWhatWasFound, Task6SoftShadows.WhereNothingBlocksTheHorizonAloneCounts · what lies beyond the map is a blocker at the light
 vec2 tableUv(vec2 corner, vec2 texelSizeUv) { return (corner - 0.5) * texelSizeUv; }
 
 vec2 boxSum(vec2 lowLow, vec2 highLow, vec2 lowHigh, vec2 highHigh) { return highHigh - lowHigh - highLow + lowLow; }

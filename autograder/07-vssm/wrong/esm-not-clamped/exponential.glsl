@@ -1,4 +1,4 @@
-// Fails: Task7Exponential.TheExponentialShareIsClampedToOne · the exponential share exceeds 1
+// Fails: Task7Exponential.TheExponentialShareIsClampedToOne, Task7Exponential.WholeFramesAreFilteredByTheWarps · the exponential share exceeds 1
 #include "chebyshev.glsl"
 
 float limitedExponent(float exponent, bool squared) { return min(exponent, squared ? 42.0 : 88.0); }

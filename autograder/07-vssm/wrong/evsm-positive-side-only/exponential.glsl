@@ -1,4 +1,4 @@
-// Fails: Task7Exponential.TheLesserOfTwoBounds · only the rising warp is asked
+// Fails: Task7Exponential.TheLesserOfTwoBounds, Task7Exponential.WholeFramesAreFilteredByTheWarps · only the rising warp is asked
 #include "chebyshev.glsl"
 
 float limitedExponent(float exponent, bool squared) { return min(exponent, squared ? 42.0 : 88.0); }

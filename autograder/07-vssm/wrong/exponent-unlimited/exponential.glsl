@@ -1,4 +1,4 @@
-// Fails: Task7Exponential.EveryTexelIsWarpedFinitely, Task7Exponential.TheExponentKeepsFloatsFinite · the exponent is not limited: Inf
+// Fails: Task7Exponential.EveryTexelIsWarpedFinitely, Task7Exponential.TheExponentKeepsFloatsFinite, Task7Exponential.WholeFramesAreFilteredByTheWarps · the exponent is not limited: Inf
 #include "chebyshev.glsl"
 
 float limitedExponent(float exponent, bool squared) { return exponent; }

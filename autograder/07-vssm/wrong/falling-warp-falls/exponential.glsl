@@ -1,4 +1,4 @@
-// Fails: Task7Exponential.BothWarpsAndTheirSquares · the second warp lacks its sign, and falls with the depth
+// Fails: Task7Exponential.BothWarpsAndTheirSquares, Task7Exponential.WholeFramesAreFilteredByTheWarps · the second warp lacks its sign, and falls with the depth
 #include "chebyshev.glsl"
 
 float limitedExponent(float exponent, bool squared) { return min(exponent, squared ? 42.0 : 88.0); }

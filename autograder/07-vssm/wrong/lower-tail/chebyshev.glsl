@@ -1,4 +1,4 @@
-// Fails: Task4Bound.TheNormalTailIsWhatLiesBeyond · the share nearer than the receiver is taken for the share beyond it
+// Fails: Task4Bound.TheNormalTailIsWhatLiesBeyond, Task6SoftShadows.TheFilterAsksTheChosenEstimate · the share nearer than the receiver is taken for the share beyond it
 #include "error_function.glsl"
 
 float chebyshev(float depth, vec2 meanVariance) {

@@ -1,4 +1,4 @@
-// Fails: Task3Boxes.VarianceIsNeverBelowItsFloor, Task6SoftShadows.AHalfPlanesPenumbraIsALinearRamp · rounding makes the variance of a flat box negative
+// Fails: Task3Boxes.VarianceIsNeverBelowItsFloor, Task6SoftShadows.AHalfPlanesPenumbraIsALinearRamp, Task6SoftShadows.TheFilterAsksTheChosenEstimate · rounding makes the variance of a flat box negative
 vec2 tableUv(vec2 corner, vec2 texelSizeUv) { return (corner - 0.5) * texelSizeUv; }
 
 vec2 boxSum(vec2 lowLow, vec2 highLow, vec2 lowHigh, vec2 highHigh) { return highHigh - lowHigh - highLow + lowLow; }
