@@ -15,7 +15,7 @@ WidthRows widthRows(unsigned seed) {
     WidthRows rows;
     for (int i = 0; i < kRows; ++i) {
         const LightView view(dice);
-        const double receiver = view.distance(dice(0.05, 1));
+        const double receiver = view.distance(dice(0.05, 1.2));  // beyond 1: behind the far plane
         const double blocker =
             i % 8 == 0 ? receiver : view.nearPlane + dice(0, 0.9) * (receiver - view.nearPlane);
         const double aspect = dice(0.5, 2);  // the window need not be square
@@ -82,21 +82,23 @@ PlaneRows planeRows(unsigned seed) {
     PlaneRows rows;
     while (int(rows.over.size()) < kRows) {
         const LightView view(dice);
+        const dvec2 tangents =
+            view.tangents * dvec2(1, dice(0.5, 2));  // the map need not be square
         const auto point = [&] {
-            const double z = view.distance(dice(0.02, 1)), t = 0.5 * view.tangents;
-            return dvec3(dice(-t, t) * z, dice(-t, t) * z, -z);
+            const double z = view.distance(dice(0.02, 1));
+            const dvec2 xy = z * tangents * dvec2(dice(-0.5, 0.5), dice(-0.5, 0.5));
+            return dvec3(xy, -z);
         };
         const dvec3 receiver = point(), other = point();
         const dvec3 normal = glm::normalize(dvec3(dice(-1, 1), dice(-1, 1), dice(-0.4, 1)));
         const double height = glm::dot(normal, other - receiver);
         if (std::abs(height) < 0.02 * glm::length(other - receiver)) continue;
         const auto uvDepth = [&](dvec3 p) {
-            return dvec3(0.5 + p.x / -p.z / view.tangents, 0.5 + p.y / -p.z / view.tangents,
-                         view.depth(-p.z));
+            return dvec3(0.5 + dvec2(p) / -p.z / tangents, view.depth(-p.z));
         };
         rows.height.emplace_back(
             dvec4(-glm::dot(normal, receiver), view.width * normal.x, view.width * normal.y, 0));
-        rows.scale.emplace_back(dvec4(view.scaleUv(), view.scaleUv(), 0, 0));
+        rows.scale.emplace_back(dvec4(view.scaleUv() * view.tangents / tangents, 0, 0));
         rows.offset.emplace_back(dvec4(uvDepth(other) - uvDepth(receiver), 0));
         rows.over.emplace_back(height > 0 ? 1 : 0);
     }
@@ -111,6 +113,11 @@ TEST(Task2ReceiverPlane, TellsWhichPointsLieOverThePlane) {
                   .inputs = {{"a", rows.height}, {"b", rows.scale}, {"c", rows.offset}}});
     EXPECT_ROWS_NEAR(overPlane, rows.over,
                      {.cause = "no point is nearer to the plane than 2 % of its distance"});
+}
+
+// A whole number of 64ths: sums and products of a few have no rounding.
+double sixtyFourths(Dice& dice, double low, double high) {
+    return std::round(64 * dice(low, high)) / 64;
 }
 
 TEST(Task2ReceiverPlane, ABlockerIsBeforeTheReceiverAndOverItsPlane) {
@@ -128,10 +135,22 @@ TEST(Task2ReceiverPlane, ABlockerIsBeforeTheReceiverAndOverItsPlane) {
         offsets.push_back(offset);
         truth.emplace_back(nearer > 0 && over > 0 ? 1 : 0);
     }
+    for (int i = 0; i < kRows; ++i) {  // on a border: no more than the bias
+        const double bias = i % 3 == 0 ? 0 : sixtyFourths(dice, 0, 0.2), z = i % 2 == 0 ? -1 : 1;
+        const double slope = sixtyFourths(dice, -2, 2), v = sixtyFourths(dice, -1, 1);
+        const bool asNear = i % 4 < 2;
+        const double depth = asNear ? -bias : -bias - 1.0 / 64;
+        const double onPlane = bias - slope * v - z * depth;
+        planes.emplace_back(dvec4(1, slope, z, bias));
+        offsets.emplace_back(dvec4(asNear ? onPlane + 1 : onPlane, v, depth, 0));
+        truth.emplace_back(0.0f);
+    }
     const Rows isBlocker = evaluate({.chunk = "receiver_plane.glsl",
                                      .expression = "vec4(isBlocker(a.xyz, b.xyz, a.w) ? 1.0 : 0.0)",
                                      .inputs = {{"a", planes}, {"b", offsets}}});
-    EXPECT_ROWS_NEAR(isBlocker, truth, {.cause = "no row is nearer to either border than 1e-4"});
+    EXPECT_ROWS_NEAR(isBlocker, truth,
+                     {.cause = "no row is nearer to either border than 1e-4, or it is "
+                               "exactly on one, in numbers without rounding"});
 }
 
 TEST(Task2ReceiverPlane, TheHorizonCutsTheLight) {
@@ -146,11 +165,20 @@ TEST(Task2ReceiverPlane, TheHorizonCutsTheLight) {
         points.emplace_back(dvec4(point, 0, 0));
         truth.emplace_back(over > 0 ? 1 : 0);
     }
+    for (int i = 0; i < kRows; ++i) {  // on the plane: not over it
+        const dvec2 slope(sixtyFourths(dice, -2, 2), sixtyFourths(dice, -2, 2));
+        const dvec2 point(sixtyFourths(dice, -0.5, 0.5), sixtyFourths(dice, -0.5, 0.5));
+        heights.emplace_back(dvec4(-glm::dot(slope, point), slope, 0));
+        points.emplace_back(dvec4(point, 0, 0));
+        truth.emplace_back(0.0f);
+    }
     const Rows isAboveHorizon =
         evaluate({.chunk = "receiver_plane.glsl",
                   .expression = "vec4(isAboveHorizon(a.xyz, b.xy) ? 1.0 : 0.0)",
                   .inputs = {{"a", heights}, {"b", points}}});
-    EXPECT_ROWS_NEAR(isAboveHorizon, truth, {.cause = "no row is nearer to the horizon than 1e-4"});
+    EXPECT_ROWS_NEAR(isAboveHorizon, truth,
+                     {.cause = "no row is nearer to the horizon than 1e-4, or it is "
+                               "exactly on it, in numbers without rounding"});
 }
 
 TEST(Task2ReceiverPlane, NoFalseShadowOnAPlaneFrom10To89Degrees) {

@@ -54,10 +54,11 @@ TEST(Task6MinPyramid, TheNarrowedWindowHoldsEveryBlocker) {
     for (int i = 0; i < kRows; ++i) {
         const double scale = dice(0.01, 1), receiver = dice(0.1, 1);
         const double nearest = i % 4 == 0 ? receiver + dice(0, 0.2) : dice(0, receiver);
-        const dvec2 s(scale, 1.5 * scale), width = s * receiver;
+        const dvec2 s(scale, 1.5 * scale);
+        const dvec2 width = s * receiver * (i % 4 == 1 ? dice(0, 1) : 1);  // narrow already
         widths.emplace_back(dvec4(width, s));
         depths.emplace_back(dvec4(receiver, nearest, 0, 0));
-        truth.emplace_back(dvec4(s * std::max(receiver - nearest, 0.0), 0, 0));
+        truth.emplace_back(dvec4(glm::min(width, s * std::max(receiver - nearest, 0.0)), 0, 0));
     }
     const Rows narrowedWidthUv =
         evaluate({.chunk = "min_pyramid.glsl",
