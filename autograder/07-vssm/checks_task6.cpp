@@ -13,16 +13,11 @@ namespace {
 constexpr glm::ivec2 kFrame{128, 128};
 constexpr int kMap = 512;
 constexpr double kLeastWidth = 4.0 / kMap, kMinVariance = 1e-6;
+constexpr double kBiasTexels = 8;  // so many that no window may be narrower by it
 // A float32 corner of a map of 512 is good to 3e-5 texels; a depth that is good to 1e-4 moves an
 // edge of the next window, up to 150 texels wide, by 1e-2.
 constexpr double kRoundingTexels = 0.02;
 constexpr double kRoundingShare = 1e-4;  // of a cell, by a mean that is good to 1e-5
-
-SettingList bare(SettingList more) {
-    for (const char* setting : {"constant_bias=0", "least_width=4", "min_variance=1e-6"})
-        more.emplace_back(setting);
-    return more;
-}
 
 // --- The search, on plates: every surface but the ground has one depth ---
 
@@ -37,9 +32,10 @@ public:
           cells_(cells),
           frame_(render({.scene = sceneFile(platesScene(groundSlope)),
                          .size = kFrame,
-                         .settings = bare({"light_bleeding=0.3",  // no matter of the search's
-                                           "queries=" + std::to_string(queries),
-                                           "search_cells=" + std::to_string(cells)}),
+                         .settings = {"light_bleeding=0.3",  // no matter of the search's
+                                      "constant_bias=8", "least_width=4", "min_variance=1e-6",
+                                      "queries=" + std::to_string(queries),
+                                      "search_cells=" + std::to_string(cells)},
                          .images = {"blocker_depth",
                                     "penumbra_width",
                                     "receiver",
@@ -47,8 +43,7 @@ public:
                                     {"shadow_map", {kMap, kMap}},
                                     kMatrix}})),
           boxes_(frame_.at("shadow_map")),
-          scaleUv_(widthScaleUv(frame_.at("light_clip_from_world"),
-                                platesScene(groundSlope).lights[0])) {}
+          light_(frame_.at("light_clip_from_world"), platesScene(groundSlope).lights[0]) {}
 
     void expectTwin() const;
 
@@ -75,8 +70,9 @@ private:
                 dvec2 box = boxes_.meanVariance(corner + (dvec2(i, j) + 0.5) * cell, cell);
                 box.y = std::max(box.y, kMinVariance);
                 const dvec2 offset = ((dvec2(i, j) + 0.5) / double(cells_) - 0.5) * width;
-                const double depth =
-                    receiver.depth + std::min(glm::dot(receiver.slope, offset), 0.0);
+                const double depth = receiver.depth +
+                                     std::min(glm::dot(receiver.slope, offset), 0.0) -
+                                     light_.bias(receiver.depth, kBiasTexels, kMap);
                 const double lit = upperBound(depth, box), blocked = 1 - lit;
                 if (std::abs(blocked - 0.001) < kRoundingShare) return {};
                 found.share += blocked;
@@ -91,12 +87,12 @@ private:
 
     // A twin where every window holds enough blockers that its float32 table tells their depth.
     std::optional<Blockers> search(const Receiver& receiver) const {
-        dvec2 window = receiver.depth * scaleUv_;
+        dvec2 window = receiver.depth * light_.scaleUv;
         std::optional<Blockers> found;
         for (int query = 0; query < queries_; ++query) {
             found = inWindow(receiver, glm::max(window, kLeastWidth));
             if (!found || found->share < 0.02) return {};
-            window = glm::min(window, 1.5 * (receiver.depth - found->depth) * scaleUv_);
+            window = glm::min(window, 1.5 * (receiver.depth - found->depth) * light_.scaleUv);
         }
         return found;
     }
@@ -104,7 +100,7 @@ private:
     int queries_, cells_;
     Rendered frame_;
     DepthBoxes boxes_;
-    dvec2 scaleUv_;
+    LightView light_;
 };
 
 void PlatesSearch::expectTwin() const {
@@ -117,7 +113,7 @@ void PlatesSearch::expectTwin() const {
             const dvec2 rise(heights.at(x, y, 1), heights.at(x, y, 2));
             const Receiver receiver{.uv = {receivers.at(x, y, 0), receivers.at(x, y, 1)},
                                     .depth = receivers.at(x, y, 2),
-                                    .slope = rise / (scaleUv_ * double(heights.at(x, y, 0)))};
+                                    .slope = rise / (light_.scaleUv * double(heights.at(x, y, 0)))};
             const auto found = search(receiver);
             if (!found) continue;
             depth.at(x, y) = float(found->depth);
@@ -150,40 +146,47 @@ TEST(Task6SoftShadows, TheFilterAsksTheChosenEstimate) {
     const Rendered frame = render(
         {.scene = sceneFile(platesScene()),
          .size = kFrame,
-         .settings = {"estimate=normal", "constant_bias=0", "least_width=4", "min_variance=1e-3"},
+         .settings = {"estimate=normal", "prefilter=sat_cpu_integer", "constant_bias=8",
+                      "least_width=4", "min_variance=1e-3"},
          .images = {
              "visibility", "blocker_depth", "receiver", {"shadow_map", {kMap, kMap}}, kMatrix}});
     const DepthBoxes boxes(frame.at("shadow_map"));
-    const dvec2 scale = widthScaleUv(frame.at("light_clip_from_world"), platesScene().lights[0]);
+    const LightView light(frame.at("light_clip_from_world"), platesScene().lights[0]);
     const Image &receivers = frame.at("receiver"), &blockers = frame.at("blocker_depth");
     Image truth(kFrame.x, kFrame.y, 1, 1.0f), mask(kFrame.x, kFrame.y, 1);
     double compared = 0;
     for (int y = 0; y < kFrame.y; ++y)
         for (int x = 0; x < kFrame.x; ++x) {
             if (receivers.at(x, y, 3) <= 0 || blockers.at(x, y) <= 0) continue;
-            const double depth = receivers.at(x, y, 2);
+            const double depth = receivers.at(x, y, 2),
+                         threshold = depth - light.bias(depth, kBiasTexels, kMap);
             const dvec2 uv(receivers.at(x, y, 0), receivers.at(x, y, 1));
-            const dvec2 width = glm::max((depth - blockers.at(x, y)) * scale, kLeastWidth);
+            const dvec2 width = glm::max((depth - blockers.at(x, y)) * light.scaleUv, kLeastWidth);
             truth.at(x, y) = float(overCells(uv, width, 2, [&](dvec2 center, dvec2 cell) {
                 const dvec2 box = boxes.meanVariance(center, cell);
-                return 0.5 * std::erfc((depth - box.x) / std::sqrt(2 * std::max(box.y, kVariance)));
+                return 0.5 *
+                       std::erfc((threshold - box.x) / std::sqrt(2 * std::max(box.y, kVariance)));
             }));
             mask.at(x, y) = 1, ++compared;
         }
     EXPECT_VALUE(compared, Greater, 1000, "receivers of this scene that have blockers");
-    EXPECT_IMAGE_NEAR(frame.at("visibility"), truth,
-                      {.maximum = 1e-3,
-                       .cause = "the same boxes in float64; means of a float32 table are good to "
-                                "1e-5, over a deviation of 0.03 at least"},
-                      mask);
+    EXPECT_IMAGE_NEAR(
+        frame.at("visibility"), truth,
+        {.maximum = 1e-3,
+         .cause = "the same boxes in float64; edges of a box are good to 3e-5 of its 2 "
+                  "texels or more, and what they move is a depth of up to 1 over a "
+                  "deviation of 0.03 at least"},
+        mask);
 }
 
 // --- Any scene ---
 
 TEST(Task6SoftShadows, AHalfPlanesPenumbraIsALinearRamp) {
     const Receivers receivers = TracedScene(loadScene("halfplane"), kSmall).receivers();
-    const Rendered frame =
-        render({.scene = "halfplane", .size = kSmall, .settings = bare({"light_bleeding=0"})});
+    const Rendered frame = render({.scene = "halfplane",
+                                   .size = kSmall,
+                                   .settings = {"constant_bias=0", "least_width=4",
+                                                "min_variance=1e-6", "light_bleeding=0"}});
     double sum = 0, count = 0;
     for (std::size_t i = 0; i < receivers.positions.size(); ++i) {
         const vec3 p = receivers.positions[i];

@@ -62,14 +62,20 @@ Scene platesScene(float groundSlope) {
     return scene;
 }
 
-dvec2 widthScaleUv(const Image& lightClipFromWorld, const Light& light) {
+LightView::LightView(const Image& lightClipFromWorld, const Light& light) {
     glm::dmat4 m;
     for (int row = 0; row < 4; ++row)
         for (int column = 0; column < 4; ++column)
             m[column][row] = lightClipFromWorld.at(column, row);
     const glm::dmat4 p = m * glm::inverse(glm::dmat4(light.viewFromWorld()));
-    const double nearPlane = p[3][2] / (p[2][2] - 1), farPlane = p[3][2] / (p[2][2] + 1);
-    return double(light.width) * (1 / nearPlane - 1 / farPlane) * dvec2(p[0][0], p[1][1]) / 2.0;
+    nearPlane = p[3][2] / (p[2][2] - 1), farPlane = p[3][2] / (p[2][2] + 1);
+    tangents = {2 / p[0][0], 2 / p[1][1]};
+    scaleUv = double(light.width) * (1 / nearPlane - 1 / farPlane) / tangents;
+}
+
+double LightView::bias(double depth, double texels, int mapSize) const {
+    const double range = 1 / nearPlane - 1 / farPlane, inverse = 1 / nearPlane - depth * range;
+    return texels * std::max(tangents.x, tangents.y) / mapSize * inverse / range;
 }
 
 }  // namespace penumbra

@@ -19,7 +19,6 @@ using glm::vec2;
 using glm::vec3;
 using glm::vec4;
 using Rows = std::vector<vec4>;
-using SettingList = std::vector<std::string>;
 
 constexpr int kRows = 512;
 constexpr glm::ivec2 kSmall{256, 256};
@@ -97,8 +96,17 @@ double overCells(dvec2 uv, dvec2 widthUv, int cells, Lit lit) {
 //   0       ------------     ground, through the origin; it rises by `groundSlope` along x
 Scene platesScene(float groundSlope = 0.0f);
 
-// What the light's matrix says of its map: S, in float64.
-dvec2 widthScaleUv(const Image& lightClipFromWorld, const Light& light);
+// What the light's matrix says of its map, in float64.
+struct LightView {
+    LightView(const Image& lightClipFromWorld, const Light& light);
+
+    // What constant_bias=`texels` is at this depth, in a map of this size.
+    double bias(double depth, double texels, int mapSize) const;
+
+    double nearPlane, farPlane;
+    dvec2 tangents;  // of the view's width and height
+    dvec2 scaleUv;   // S
+};
 const ImageRequest kMatrix{"light_clip_from_world", {4, 4}};
 
 }  // namespace penumbra

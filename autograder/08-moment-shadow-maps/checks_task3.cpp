@@ -13,7 +13,12 @@ TEST(Task3Hamburger, TheOtherDepthsCompleteThreePoints) {
     Dice dice{std::mt19937(31)};
     SolverRows rows;
     Rows truth;
-    for (int i = 0; i < kRows; ++i) {
+    // As far on one side of t as on the other: the factor of z is 0, and has no sign.
+    for (const double z : {1.0, 0.5, 0.25}) {
+        rows.add(Distribution{{-z, 0, z}, {0.25, 0.5, 0.25}}.moments(), 0);
+        truth.emplace_back(dvec4(-z, z, 0, 0));
+    }
+    for (int i = 0; int(rows.size()) < kRows; ++i) {
         const Distribution d = spread(dice, 3, 0.25);
         const int at = i % 3;
         rows.add(d.moments(), d.depths[std::size_t(at)]);
@@ -112,6 +117,12 @@ TEST(Task3Hamburger, NeverMoreThanTheTrueShareAndNoLessThanTheBound) {
 
 TEST(Task3Hamburger, FiniteAndAShareForAnyMoments) {
     expectShares(anyMoments(35).blockers("hamburger"), anyMoments(35));
+    const Rows others =
+        anyMoments(35).evaluate("hamburger.glsl", "vec4(otherDepths(a, b.x), 0.0, 0.0)");
+    double wrong = 0;
+    for (const vec4& row : others) wrong = std::max(wrong, double(row.x - row.y));
+    EXPECT_VALUE(wrong, LessOrEqual, 0,
+                 "the smaller first; the runner has made sure that all are finite");
 }
 
 }  // namespace

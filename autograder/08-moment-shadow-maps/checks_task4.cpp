@@ -21,7 +21,8 @@ TEST(Task4SoftShadow, ComparesBelowTheReceiversPlane) {
         const double receiver = dice(0.05, 1), blocker = receiver * dice(0, 1.1);
         const double bias = dice(0, 0.02);
         const dvec3 height(dice(-0.2, 2), dice(-1, 1), dice(-1, 1));
-        const dvec4 light(dice(-0.5, 0), dice(-0.5, 0), dice(0, 0.5), dice(0, 0.5));
+        const dvec2 low(dice(-0.5, 0.5), dice(-0.5, 0.5));
+        const dvec4 light(low, dice(low.x, 0.5), dice(low.y, 0.5));
         const double fall = planeFall(height, {light.x, light.y}, {light.z, light.w});
         if (std::abs(height.x) < 1e-3) continue;  // its sign decides
         depths.emplace_back(dvec4(receiver, blocker, bias, 0));
@@ -79,14 +80,28 @@ TEST(Task4SoftShadow, TheSearchWindowHoldsAllThatCanBlock) {
     });
 }
 
+TEST(Task4SoftShadow, FewerThanTheLeastShareAreNone) {
+    const Rendered frame =
+        render({.scene = "stairs@3", .size = {128, 128}, .images = {"blocker_share"}});
+    double least = 1;
+    for (const float share : frame.at("blocker_share").pixels)
+        if (share > 0) least = std::min(least, double(share));
+    EXPECT_VALUE(least, Less, 1, "there must be blockers");
+    EXPECT_VALUE(least, GreaterOrEqual, float(kLeastShare), "README §4: below it there is nothing");
+}
+
 TEST(Task4SoftShadow, ARefinementLooksThroughTheFirstBlockers) {
-    const Rendered first = searchFrame(0), frame = searchFrame(1);
-    const MapTwin map(frame);
-    compareWithTwin(frame.at("blocker_depth"), frame, [&](int x, int y, dvec3 p) {
-        const bool found = first.at("blocker_share").at(x, y) > kEnough;
-        const Below below = map.search(p, first.at("blocker_depth").at(x, y));
-        return found && below.share > kEnough ? Maybe(below.depth()) : Maybe();
-    });
+    for (const int refinements : {1, 2}) {
+        // The receiver's plane is no matter of the search's.
+        const Rendered first = searchFrame(refinements - 1, 1, true),
+                       frame = searchFrame(refinements, 1, true);
+        const MapTwin map(frame);
+        compareWithTwin(frame.at("blocker_depth"), frame, [&](int x, int y, dvec3 p) {
+            const bool found = first.at("blocker_share").at(x, y) > kEnough;
+            const Below below = map.search(p, first.at("blocker_depth").at(x, y));
+            return found && below.share > kEnough ? Maybe(below.depth()) : Maybe();
+        });
+    }
 }
 
 TEST(Task4SoftShadow, TheFilterIsAsWideAsThePenumbra) {
@@ -102,14 +117,15 @@ TEST(Task4SoftShadow, TheFilterIsAsWideAsThePenumbra) {
 }
 
 TEST(Task4SoftShadow, EachCellIsComparedBelowItsPartOfThePlane) {
-    const Rendered frame = searchFrame(0, 2, true);
+    constexpr int kCells = 3;  // the whole of some lies uphill of the receiver
+    const Rendered frame = searchFrame(0, kCells, true);
     const MapTwin map(frame);
     const Image& heights = frame.at("light_height");
     compareWithTwin(frame.at("visibility"), frame, [&](int x, int y, dvec3 p) {
         const float depth = frame.at("blocker_depth").at(x, y);
         const dvec3 height(heights.at(x, y, 0), heights.at(x, y, 1), heights.at(x, y, 2));
         const bool found = frame.at("blocker_share").at(x, y) > 0;
-        return Maybe(found ? map.filteredVisibility(p, depth, 2, height) : 1);
+        return Maybe(found ? map.filteredVisibility(p, depth, kCells, height) : 1);
     });
 }
 

@@ -1,4 +1,4 @@
-// Fails: Task3Boxes.BeyondTheBorderDepthIsOne, Task3Boxes.FourCornersMakeAnyBoxAndPartsOfTexels, Task3Boxes.TheTableIsReadAtCornersOfTexels, Task6SoftShadows.TheFilterAsksTheChosenEstimate, Task6SoftShadows.WhereNothingBlocksTheHorizonAloneCounts, Task8WholeShadow.BoxesAgreeWithRays, Task8WholeShadow.FenceAgreesWithRays, Task8WholeShadow.StairsAgreeWithRays · edges of boxes are rounded to whole texels
+// Fails: Task3Boxes.BeyondTheBorderDepthIsOne, Task3Boxes.FourCornersMakeAnyBoxAndPartsOfTexels, Task3Boxes.TheTableIsReadAtCornersOfTexels, Task6SoftShadows.WhereNothingBlocksTheHorizonAloneCounts, Task8WholeShadow.BoxesAgreeWithRays, Task8WholeShadow.FenceAgreesWithRays, Task8WholeShadow.StairsAgreeWithRays · edges of boxes are rounded to whole texels
 vec2 tableUv(vec2 corner, vec2 texelSizeUv) { return (floor(corner + 0.5) - 0.5) * texelSizeUv; }
 
 vec2 boxSum(vec2 lowLow, vec2 highLow, vec2 lowHigh, vec2 highHigh) { return highHigh - lowHigh - highLow + lowLow; }
